@@ -10,7 +10,7 @@ import tempfile
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import DataError, Error, InputError
-from .reading.files import read_json
+from .reading.files import field, read_json
 from .reading.tables import read_numbers
 
 
@@ -22,12 +22,15 @@ class ReferenceValue:
     unit, remark
     """
 
-    def __init__(self, name: str, data: dict):
+    def __init__(self, name: str, data: dict, file: pathlib.Path):
+        def number(key: str):
+            return field(file, data, key, float, default=None)
+
         self.name, self.data = name, data
-        self.mean, self.unit, self.remark = data["mean"], data["unit"], data.get("remark", "")
-        self.statistical_error, self.systematic_error = data["statistical_error"], data["systematic_error"]
-        self.total_error, self.equation_of_state = data["total_error"], data["equation_of_state"]
-        self.equations = data["equations_of_state"]
+        self.mean, self.unit, self.remark = number("mean"), field(file, data, "unit", str), field(file, data, "remark", str, default="")
+        self.statistical_error, self.systematic_error = number("statistical_error"), number("systematic_error")
+        self.total_error, self.equation_of_state = number("total_error"), number("equation_of_state")
+        self.equations = field(file, data, "equations_of_state", dict, default={})
 
     def __repr__(self) -> str:
         if self.mean is None:
@@ -48,10 +51,13 @@ class Reference(NamedTables):
     """
 
     def __init__(self, data: dict, tables: dict, directory):
+        file = pathlib.Path("results.json") if directory is None else directory / "results.json"
         self.data, self._tables, self.directory = data, tables, directory
-        self.phase, self.warnings, self.citation = data["phase"], list(data["warnings"]), data["citation"]
-        self._values = {name: ReferenceValue(name, value) for name, value in data.items()
+        self.phase, self.warnings, self.citation = field(file, data, "phase", str), field(file, data, "warnings", list), field(file, data, "citation", str)
+        self._values = {name: ReferenceValue(name, value, file) for name, value in data.items()
                         if isinstance(value, dict) and "statistical_error" in value}
+        self._temperature, density = field(file, data, "temperature", float), data.get("density")
+        self._density = field(file, density, "mean", float) if isinstance(density, dict) else field(file, data, "density", float)
 
     @classmethod
     def open(cls, directory) -> "Reference":
@@ -81,9 +87,7 @@ class Reference(NamedTables):
                             "unit": [row.unit for row in rows]})
 
     def _heading(self) -> str:
-        density = self.data["density"]
-        rho = density["mean"] if isinstance(density, dict) else density
-        return f"Lennard-Jones fluid at T = {self.data['temperature']}, rho = {rho:.6g}: {self.phase}"
+        return f"Lennard-Jones fluid at T = {self._temperature}, rho = {self._density:.6g}: {self.phase}"
 
     def __repr__(self) -> str:
         return "\n".join([self._heading(), *(f"  {value!r}" for value in self._values.values()),
@@ -134,7 +138,7 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
         except Error as error:
             text = re.sub(r"--([a-z]+)", r"\1", str(error))
             if directory is None:  # nothing is left there to be resumed
-                text = re.sub(rf"; to try them again: ljmd resume {re.escape(str(out))}\S*", "", text)
+                text = re.sub("; to try them again: ljmd resume .*", "", text)
             raise type(error)(text) from None
         tables = _tables_in(out)
     found = Reference(json.loads(text), tables, None if directory is None else out)

@@ -8,7 +8,7 @@ import tempfile
 
 from . import _check, _program, _progress
 from .errors import DataError, Error, InputError
-from .reading.files import read_json
+from .reading.files import field, read_json
 from .reading.sweeps import Request, read_request
 from .results import Results, Run, _Files
 
@@ -34,7 +34,10 @@ class Replicas(Results):
         if not request.replicas:
             raise DataError(f"{directory} holds no replicas: it is that of a sweep")
         path = directory / "results.json"
-        data = read_json(path) if path.exists() else {}
+        data = {}
+        if path.exists():
+            data = read_json(path)
+            field(path, data, "observables", dict)
         return cls(data, _Files(directory, [each for each in ("rdf", "sk") if (directory / f"{each}.csv").exists()]), request)
 
     @property

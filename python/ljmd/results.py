@@ -14,7 +14,7 @@ from .frames import Frames
 from .observables import described
 from .reading import observables as entries
 from .reading import records
-from .reading.files import read_json
+from .reading.files import field, read_json
 from .reading.observables import Observable
 from .reading.sweeps import read_request
 from .reading.tables import read_numbers
@@ -44,10 +44,14 @@ class Results(Mapping):
     @property
     def warnings(self) -> list:
         """Remarks on the results."""
-        return list(self.data.get("warnings", []))
+        return field(self._file, self.data, "warnings", list, default=[])
+
+    @property
+    def _observables(self) -> dict:
+        return field(self._file, self.data, "observables", dict, default={})
 
     def __getitem__(self, name: str) -> Observable:
-        observables = self.data.get("observables", {})
+        observables = self._observables
         if name not in observables:
             near = difflib.get_close_matches(str(name), observables, 1)
             raise KeyError(f"no observable {name!r}; " + (f"did you mean {near[0]!r}?" if near else
@@ -55,10 +59,10 @@ class Results(Mapping):
         return entries.observable(self._file, name, observables[name])
 
     def __iter__(self):
-        return iter(self.data.get("observables", {}))
+        return iter(self._observables)
 
     def __len__(self) -> int:
-        return len(self.data.get("observables", {}))
+        return len(self._observables)
 
     @property
     def tables(self) -> list:
@@ -76,7 +80,11 @@ class Results(Mapping):
         return as_table(*self._tables[name])
 
     def _heading(self) -> str:
-        return self.data.get("title") or type(self).__name__
+        return self._title or type(self).__name__
+
+    @property
+    def _title(self) -> str:
+        return field(self._file, self.data, "title", str, default="")
 
     def _rows(self) -> list:
         rows = []
@@ -157,7 +165,7 @@ class Run(Results):
     @property
     def stages(self) -> list:
         """The stages with their steps, energy drift and checksums."""
-        return self.data.get("stages", [])
+        return field(self._file, self.data, "stages", list, default=[])
 
     @property
     def findings(self) -> dict:
@@ -229,11 +237,15 @@ class Run(Results):
         return page
 
     def _heading(self) -> str:
-        system = self.data.get("system", {})
-        what = [self.data.get("title"), f"{system['atoms']} atoms, density {system['density']:.6g}" if "atoms" in system else
-                f"{system.get('bodies', '')} bodies", self._potential_in_words(), str(self.directory) if self.directory else "in memory",
-                "" if self.finished else "not finished"]
+        what = [self._title, self._system_in_words(), self._potential_in_words(),
+                str(self.directory) if self.directory else "in memory", "" if self.finished else "not finished"]
         return "ljmd run: " + "; ".join(filter(None, what))
+
+    def _system_in_words(self) -> str:
+        system = field(self._file, self.data, "system", dict, default={})
+        if "atoms" in system:
+            return f"{system['atoms']} atoms, density {field(self._file, system, 'density', float):.6g}"
+        return f"{system.get('bodies', '')} bodies"
 
     def _potential_in_words(self) -> str:
         potential = self._given.get("potential")
@@ -252,7 +264,10 @@ class Run(Results):
             raise DataError(f"{directory} is not the directory of a run: it has no run.json")
         record = records.read(directory)
         results = directory / "results.json"
-        data = read_json(results) if record.finished and results.exists() else {"title": record.title}
+        data = {"title": record.title}
+        if record.finished and results.exists():
+            data = read_json(results)
+            field(results, data, "observables", dict)
         tables = [path.stem for path in sorted(directory.glob("*.csv")) if path.stem != "thermo" and path.is_file()]
         run = cls(data, _Files(directory, tables), None, directory, record.finished)
         run._given = record.given

@@ -23,6 +23,7 @@
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/written_report.hpp"
 #include "ljmd/run/held_run.hpp"
@@ -170,9 +171,8 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
-    const std::string files = out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out);
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
-                              : crosscheck_table(found, deck, compared) + files);
+                              : crosscheck_table(found, deck, compared) + (out.empty() ? "" : told_files(out)));
     if (!found.passed()) {
         throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.peer, found.failures(),
                                        found.checks.size()));
@@ -239,7 +239,7 @@ void run_as_member(DeckOptions options, const std::shared_ptr<Ranks>& ranks) {
     ignore_stop_signals();
     std::optional<ReadDeck> read;
     prepare_together(ranks, [&] { read = read_deck(options, "", ranks); });
-    require_shareable(ranks, read->deck);
+    require_shareable(ranks, read->deck, read->run);
     Silent silent;
     AnySystem system = make_system(read->deck, std::move(read->run.start), read->run.execution, [](const auto&) {});
     run_deck(read->deck, system, silent);
@@ -260,7 +260,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
         check_directory(read->deck, options.force);
     });
     auto& [deck, run] = *read;
-    require_shareable(ranks, deck);
+    require_shareable(ranks, deck, run);
     Progress progress(run.atoms(), total_steps(deck.stages), options.quiet);
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
@@ -282,7 +282,7 @@ void resume_as_member(const ResumeOptions& options, const std::shared_ptr<Ranks>
         run.emplace(
             options.directory, options.more_steps, options.threads, [](const std::string&) {}, GivenAgain{}, ranks);
     });
-    require_shareable(ranks, run->deck());
+    require_shareable(ranks, *run);
     const CheckpointHead from = run->checkpoint();
     AnySystem system = empty_system(run->deck(), from.atoms, from.edges, run->execution());
     Silent silent;
@@ -305,7 +305,7 @@ void resume_command(const ResumeOptions& options) {
     });
     prepare_together(ranks, [] {});  // the others have read the checkpoint
     HeldRun& run = *held;
-    require_shareable(ranks, run.deck());
+    require_shareable(ranks, run);
     const CheckpointHead from = run.checkpoint();
     const Index steps = total_steps(run.deck().stages);
     AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());
@@ -320,7 +320,7 @@ void resume_command(const ResumeOptions& options) {
             run.is_at_its_end()
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
-                              from.step, options.directory)
+                              from.step, shell_word(options.directory))
                 : fmt::format("resuming after step {} of {}{}\n", from.step,
                               run.deck().stages.back().until.empty() ? "" : "at most ", steps));
     }

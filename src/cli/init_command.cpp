@@ -9,6 +9,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/output_guard.hpp"
 
 namespace ljmd {
@@ -48,8 +49,8 @@ void init_command(const InitOptions& options) {
     check_place(file, options.force);
     write_file_atomically(file, deck.text);
     print_result(
-        fmt::format("{0}\nto see what it costs: ljmd check {0}\nto run it: ljmd run {0}\nall keys: ljmd info --keys\n",
-                    file.string()));
+        fmt::format("{0}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall keys: ljmd info --keys\n",
+                    file.string(), shell_word(file)));
 }
 
 }  // namespace ljmd

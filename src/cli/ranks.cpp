@@ -11,6 +11,7 @@
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/model/checksum.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "ljmd/run/interruption.hpp"
 #include "ljmd/run/run_record.hpp"
@@ -38,6 +39,34 @@ std::string unshareable(const Deck& deck) {
         }
     }
     return {};
+}
+
+/// Require that all ranks have read the same as rank 0. Collective.
+/// @param checksum  of what this rank has read; at all ranks as long
+void require_same_at_all(const std::shared_ptr<Ranks>& ranks, const std::string& checksum, const std::string& what) {
+    std::vector<std::int64_t> ours(checksum.begin(), checksum.end());
+    std::vector<std::int64_t> of_root(ours.size(), 0);
+    if (ranks->is_root()) {
+        of_root = ours;
+    }
+    ranks->sum(of_root);
+    std::int64_t different = ours == of_root ? 0 : 1;
+    ranks->sum({&different, 1});
+    prepare_together(ranks, [&] {
+        if (different > 0) {
+            throw InputError(fmt::format("{} of {} ranks read another {} than rank 0", different, ranks->size(), what));
+        }
+    });
+}
+
+/// Require that ranks can share the run of a deck, and that all have the same one. Collective.
+void require_one_deck(const std::shared_ptr<Ranks>& ranks, const Deck& deck) {
+    prepare_together(ranks, [&] {
+        if (const std::string why = unshareable(deck); !why.empty()) {
+            throw InputError(fmt::format("{} {}", deck.path, why));
+        }
+    });
+    require_same_at_all(ranks, deck_hash(deck), "deck");
 }
 
 }  // namespace
@@ -99,32 +128,22 @@ void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<v
     throw RankLost("another rank says why");
 }
 
-void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck) {
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck, const CheckedRun& run) {
     if (!ranks) {
         return;
     }
-    prepare_together(ranks, [&] {
-        if (const std::string why = unshareable(deck); !why.empty()) {
-            throw InputError(fmt::format("{} {}", deck.path, why));
-        }
-    });
-    // Each hash is compared with that of rank 0.
-    std::vector<std::int64_t> hash;
-    for (const char each : deck_hash(deck)) {
-        hash.push_back(each);
+    require_one_deck(ranks, deck);
+    if (run.start->configuration) {
+        require_same_at_all(ranks, checksum(*run.start->configuration), "start file");
     }
-    std::vector<std::int64_t> of_root(hash.size(), 0);
-    if (ranks->is_root()) {
-        of_root = hash;
+}
+
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const HeldRun& run) {
+    if (!ranks) {
+        return;
     }
-    ranks->sum(of_root);
-    std::int64_t different = hash == of_root ? 0 : 1;
-    ranks->sum({&different, 1});
-    prepare_together(ranks, [&] {
-        if (different > 0) {
-            throw InputError(fmt::format("{} of {} ranks read another deck than rank 0", different, ranks->size()));
-        }
-    });
+    require_one_deck(ranks, run.deck());
+    require_same_at_all(ranks, run.checkpoint_hash(), "checkpoint");
 }
 
 int end_after_exception() {

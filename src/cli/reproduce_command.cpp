@@ -123,7 +123,7 @@ std::vector<std::string> print_rows(const std::vector<RowRun>& runs, const OpenD
     write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
     Document report = reproduction_report(rows, result_columns());
     write_file_atomically(directory / "results.json", to_json(report.data) + "\n");
-    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.path().string());
+    report.text += told_files(directory.path());
     print_document(report, as_json);
     return failures;
 }

@@ -17,6 +17,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/terminal_text.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
@@ -136,6 +137,10 @@ void talk_over_line(const std::string& text) {
     line += "\033[J\033[?7h\r";
     static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
     static_cast<void>(std::fflush(stderr));
+}
+
+std::string told_files(const std::filesystem::path& directory) {
+    return fmt::format("\nfiles: {}\nto draw them: ljmd plot {}\n", directory.string(), shell_word(directory));
 }
 
 void print_warnings(const Diagnostics& diagnostics) {

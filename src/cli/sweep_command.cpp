@@ -94,7 +94,7 @@ std::vector<std::string> print_table(const SweepPlan& plan, const std::vector<Po
     directory.require_at_its_path();
     write_file_atomically(directory / "sweep.csv", sweep_csv(swept));
     Document report = sweep_report(swept, result_columns());
-    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.path().string());
+    report.text += told_files(directory.path());
     print_document(report, as_json);
     return failures;
 }
@@ -139,10 +139,7 @@ void sweep_command(const SweepOptions& options) {
     if (array) {
         array->require_none();
     }
-    if (options.force && holds_another_sweep(plan, path)) {
-        wait_for_runs(path / "points", until_signal(), print_message);
-    }
-    prepare_sweep(plan, directory, options.force);
+    prepare_sweep(plan, directory, options.force, wait_for_writing_runs);
     std::vector<PointRun> runs = point_runs(plan, path);
     if (options.mode.prepare) {
         print_prepared(sweep_words(), path, runs.size(), options.json);

@@ -15,6 +15,7 @@
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/run/output_guard.hpp"
@@ -49,7 +50,6 @@ struct Export {
         }
         return fluid_of(state, spec.potential, spec.tail);
     }
-    [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };
 
 /// Parts of the deck that are not exported: the files hold a configuration, a potential and the time step of one stage.
@@ -111,7 +111,8 @@ Notes export_lammps(const Export& what) {
     make_directory(what.directory);
     write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
     write_file_atomically(what.directory / "in.lammps", input);
-    Notes notes{what.in_directory() + " && lmp -in in.lammps", left_out(what.deck, what.state.step == 0)};
+    Notes notes{fmt::format("cd {} && lmp -in in.lammps", shell_word(what.directory)),
+                left_out(what.deck, what.state.step == 0)};
     if (fluid.tail && !lammps_has_tail(fluid.potential)) {
         notes.warnings.push_back(
             fmt::format("LAMMPS has no tail corrections for '{}' with truncation '{}': its energy and "

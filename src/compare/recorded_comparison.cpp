@@ -8,6 +8,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
@@ -91,7 +92,7 @@ Document comparison_report(const fs::path& directory) {
     if (text.empty()) {
         throw DataError(fmt::format("{} holds no comparison", directory.string()));
     }
-    text += fmt::format("a page about it: ljmd report {0}; a picture: ljmd plot {0}\n", directory.string());
+    text += fmt::format("a page about it: ljmd report {0}; a picture: ljmd plot {0}\n", shell_word(directory));
     return {{{"kind", "comparison"}, {"comparisons", comparisons}}, text};
 }
 

@@ -16,10 +16,21 @@ namespace ljmd {
 
 namespace {
 
+using Hash = std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)>;
+
+Hash begun_hash() {
+    Hash hash(XXH3_createState(), XXH3_freeState);
+    XXH3_64bits_reset(hash.get());
+    return hash;
+}
+
+std::string in_words(std::uint64_t hash) {
+    return fmt::format("xxh3:{:016x}", hash);
+}
+
 /// At rank 0.
 std::uint64_t hash_of(const State& state) {
-    const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
-    XXH3_64bits_reset(hash.get());
+    const Hash hash = begun_hash();
     visit_by_id(state, {.positions = true}, [&](const AtomPiece& piece) {
         for (std::size_t k = 0; k < piece.positions.size(); ++k) {
             const Vec3& r = piece.positions[k];
@@ -47,7 +58,23 @@ std::string checksum(const State& state) {
     std::int64_t bits = 0;
     look_by_id(state, [&] { bits = std::bit_cast<std::int64_t>(hash_of(state)); });
     ranks.sum({&bits, 1});  // of the others it is zero
-    return fmt::format("xxh3:{:016x}", std::bit_cast<std::uint64_t>(bits));
+    return in_words(std::bit_cast<std::uint64_t>(bits));
+}
+
+std::string checksum(const Configuration& configuration) {
+    const Hash hash = begun_hash();
+    const auto add = [&](const auto& values) {
+        const std::uint64_t count = std::size(values);
+        XXH3_64bits_update(hash.get(), &count, sizeof(count));
+        XXH3_64bits_update(hash.get(), std::data(values), count * sizeof(*std::data(values)));
+    };
+    add(std::array{configuration.edges});
+    add(configuration.positions);
+    add(configuration.velocities);
+    add(configuration.masses);
+    add(std::array{configuration.time});
+    add(std::array{configuration.step});
+    return in_words(XXH3_64bits_digest(hash.get()));
 }
 
 }  // namespace ljmd

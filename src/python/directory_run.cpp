@@ -12,6 +12,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/written_report.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/given/given_record.hpp"
@@ -45,8 +46,8 @@ void run_freely(PythonObservers& observers, const std::shared_ptr<PythonExternal
         const py::gil_scoped_release free;
         work();
     } catch (const Interrupted&) {
-        attention.raise(
-            fmt::format("the run has written a checkpoint; to go on: ljmd.resume(\"{}\")", directory.string()));
+        attention.raise(fmt::format("the run has written a checkpoint; to go on: ljmd.resume({})",
+                                    to_json_line(Data(directory.string()))));
         throw;  // its wall time is over
     }
     attention.raise();

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "ljmd/io/files/shell_word.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -26,7 +28,7 @@ Interruption::Interruption(std::optional<double> walltime, AskedToStop asked) : 
 void Interruption::stop(Index step, const std::string& directory) const {
     const auto by = request();
     throw Interrupted(fmt::format("stopped after step {} by {}; to go on: ljmd resume {}", step,
-                                  by ? by->name : std::string("the end of its wall time"), directory),
+                                  by ? by->name : std::string("the end of its wall time"), shell_word(directory)),
                       by ? by->exit_code() : walltime_reached);
 }
 

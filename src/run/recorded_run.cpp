@@ -10,6 +10,7 @@
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/run/given/given_record.hpp"
@@ -34,17 +35,18 @@ struct Record {
 /// What a directory holds that is no run; empty if that is nothing of ljmd.
 std::string what_else(const fs::path& directory) {
     const std::string name = directory.string();
+    const std::string word = shell_word(directory);
     if (files::is_taken(directory / "reference.json")) {
         return fmt::format(
             "it holds a reference, which `ljmd reference` with the same options and --out {0} resumes and `ljmd report "
-            "{0}` shows; its runs are in {0}/*/points",
-            name);
+            "{0}` shows; its runs are in {1}/*/points",
+            word, name);
     }
     if (files::is_taken(directory / "sweep.json")) {
         return fmt::format(
             "it holds a sweep, which the same `ljmd sweep` command resumes, or replicas, which `ljmd resume {0}` "
-            "resumes; `ljmd report {0}` shows it; its runs are in {0}/points",
-            name);
+            "resumes; `ljmd report {0}` shows it; its runs are in {1}/points",
+            word, name);
     }
     std::vector<fs::path> entries;
     if (input_is_directory(directory)) {
@@ -56,7 +58,7 @@ std::string what_else(const fs::path& directory) {
     });
     return compares
                ? fmt::format(
-                     "it holds a comparison, which `ljmd compare --out {0}` has made and `ljmd report {0}` shows", name)
+                     "it holds a comparison, which `ljmd compare --out {0}` has made and `ljmd report {0}` shows", word)
                : "";
 }
 

@@ -11,6 +11,7 @@
 #include "ljmd/io/files/checkpoint_file.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_file.hpp"
@@ -83,7 +84,7 @@ void check_directory(const Deck& deck, bool force) {
         const bool can_resume = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
             return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
         });
-        const std::string resume = fmt::format(": ljmd resume {}", directory.string());
+        const std::string resume = fmt::format(": ljmd resume {}", shell_word(directory));
         if (can_resume && !has_finished(directory)) {
             throw OutputRefused(
                 fmt::format("{} holds a run that has not come to its end. Nothing was run.", directory.string()),

@@ -18,6 +18,7 @@
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
@@ -69,14 +70,6 @@ std::string said(const std::string& text) {
     return fmt::format("{}", fmt::join(words, "\n  "));
 }
 
-std::string quoted_for_shell(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
-}
-
 /// A path in which sbatch replaces nothing.
 std::string literal_pattern(const fs::path& path) {
     std::string pattern;
@@ -108,8 +101,11 @@ std::optional<std::string> job_number(const std::string& text) {
     return std::nullopt;
 }
 
-fs::path without_last_slash(const fs::path& path) {
-    return path.has_filename() ? path : path.parent_path();
+/// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", or shortened as sbatch takes it, "--arr".
+/// @param least  of `name`, by which sbatch knows the option
+bool is_option(const std::string& word, const std::string& letter, const std::string& least, const std::string& name) {
+    const std::string given = word.substr(0, word.find('='));
+    return word.starts_with(letter) || (given.starts_with(least) && name.starts_with(given));
 }
 
 }  // namespace
@@ -146,6 +142,22 @@ std::vector<std::string> shell_words(const std::string& text) {
     return words;
 }
 
+std::vector<std::string> sbatch_options(const std::string& text) {
+    std::vector<std::string> words = shell_words(text);
+    for (const std::string& word : words) {
+        if (is_option(word, "-a", "--ar", "--array") || is_option(word, "-J", "--j", "--job-name")) {
+            throw InputError(
+                fmt::format("--slurm: {} cannot be given: ljmd sets --array, whose tasks are shares of the runs, and "
+                            "--job-name, by "
+                            "which it finds the array in the queue. Nothing was run.\n  to limit the tasks at a time: "
+                            "scontrol update "
+                            "ArrayTaskThrottle=50 JobId=... when the array is submitted",
+                            in_quotes(word)));
+        }
+    }
+    return words;
+}
+
 std::string array_ranges(const std::vector<std::size_t>& tasks) {
     std::string text;
     for (std::size_t k = 0; k < tasks.size();) {
@@ -178,8 +190,8 @@ std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std
 
 SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
     : command_(std::move(command)),
-      directory_(without_last_slash(files::absolute(directory).lexically_normal())),
-      options_(shell_words(options)),
+      directory_(files::canonical(directory)),
+      options_(sbatch_options(options)),
       sbatch_(program_of_slurm("sbatch")),
       squeue_(program_of_slurm("squeue")),
       name_(array_name(directory_)) {}
@@ -199,7 +211,7 @@ void SlurmArray::require_none() const {
             throw InUseError(
                 fmt::format("array {} of {} is queued or running. Nothing was submitted.\n  how far it is: ljmd {} "
                             "--status {}",
-                            job, directory_.string(), command_, directory_.string()));
+                            job, directory_.string(), command_, shell_word(directory_)));
         }
     }
 }
@@ -209,7 +221,7 @@ std::string SlurmArray::script(std::size_t tasks, std::size_t jobs) const {
         "#!/bin/sh\n"
         "# A task of an array: the worker of that number.\n"
         "exec {} {} --work \"$SLURM_ARRAY_TASK_ID/{}\" {} --jobs {}\n",
-        quoted_for_shell(this_program().string()), command_, tasks, quoted_for_shell(directory_.string()), jobs);
+        shell_word(this_program()), command_, tasks, shell_word(directory_), jobs);
 }
 
 std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jobs) const {

@@ -14,6 +14,7 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/continuation.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -33,7 +34,7 @@ struct RunState {
     fs::path directory;
     std::string state;          ///< one of `states`
     std::optional<Index> step;  ///< of the newest checkpoint
-    Index total_steps = 0;      ///< 0 before the run has begun
+    Index total_steps = 0;      ///< of all stages; 0 if its deck cannot be read
     std::string words;          ///< from the log, if it failed
 };
 
@@ -50,18 +51,29 @@ struct Study {
     }
 };
 
-RunState state_of(const std::string& name, const fs::path& directory, const fs::path& log) {
+/// Steps that the deck of a run asks for; 0 if it cannot be read.
+Index steps_asked_for(const ChildRun& run) {
+    Diagnostics diagnostics;
+    const auto deck = load_deck_text(run.deck.string(), run.source, run.settings, true, diagnostics);
+    return deck ? total_steps(deck->stages) : 0;
+}
+
+/// @param name         in the report
+/// @param steps_added  to those that its deck asks for
+RunState state_of(const std::string& name, const ChildRun& run, Index steps_added) {
+    const fs::path& directory = run.directory;
     RunState found{name, directory, "not begun", std::nullopt, 0, ""};
-    const bool running = DirectoryLock::is_held(directory) || ClaimedFile::is_held(log);
-    const std::string words = running ? "" : recorded_failure(log);
+    const bool running = DirectoryLock::is_held(directory) || ClaimedFile::is_held(run.log);
+    const std::string words = running ? "" : recorded_failure(run.log);
     if (!files::exists(directory / "run.json")) {
         found.state = running ? "running" : words.empty() ? "not begun" : "failed";
         found.words = words;
+        found.total_steps = steps_asked_for(run) + steps_added;
         return found;
     }
     try {
-        const RecordedRun run = recorded_run(directory);
-        if (run.finished) {
+        const RecordedRun recorded = recorded_run(directory);
+        if (recorded.finished) {
             found.state = "finished";
         } else if (running) {
             found.state = "running";
@@ -69,10 +81,10 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
             found.state = words.empty() ? "stopped" : "failed";
             found.words = words;
         }
-        found.total_steps = total_steps(run.deck.stages);
-        if (const auto continuation = find_continuation(run.deck)) {
+        found.total_steps = total_steps(recorded.deck.stages);
+        if (const auto continuation = find_continuation(recorded.deck)) {
             found.step = continuation->head.step;
-            found.total_steps = steps_of_run(run, continuation->head);
+            found.total_steps = steps_of_run(recorded, continuation->head);
         }
     } catch (const CheckpointError&) {
         found.step.reset();             // `ljmd info` for this run shows what is wrong with its checkpoints
@@ -90,7 +102,7 @@ Study study_in(const fs::path& directory) {
         for (const char* phase : reference_phases) {
             if (const auto plan = recorded_sweep(directory / phase)) {
                 for (const ChildRun& run : sweep_runs(*plan, directory / phase)) {
-                    study.runs.push_back(state_of(fmt::format("{}/{}", phase, run.name), run.directory, run.log));
+                    study.runs.push_back(state_of(fmt::format("{}/{}", phase, run.name), run, plan->steps_added));
                 }
             }
         }
@@ -100,7 +112,7 @@ Study study_in(const fs::path& directory) {
         study.kind = plan->replicas > 0 ? StudyKind::replicas : StudyKind::sweep;
         study.deck = plan->deck_file;
         for (const ChildRun& run : sweep_runs(*plan, directory)) {
-            study.runs.push_back(state_of(run.name, run.directory, run.log));
+            study.runs.push_back(state_of(run.name, run, plan->steps_added));
         }
         return study;
     }
@@ -108,7 +120,13 @@ Study study_in(const fs::path& directory) {
     for (const fs::path& entry : files::list(rows)) {
         if (entry.extension() == ".toml") {
             const std::string name = entry.stem().string();
-            study.runs.push_back(state_of(name, rows / name, rows / (name + ".log")));
+            study.runs.push_back(state_of(name,
+                                          {.name = name,
+                                           .deck = entry,
+                                           .source = files::is_regular_file(entry) ? read_input(entry) : "",
+                                           .directory = rows / name,
+                                           .log = rows / (name + ".log")},
+                                          0));
         }
     }
     std::ranges::sort(study.runs, {}, &RunState::name);
@@ -160,7 +178,7 @@ std::string text_of(const Study& study, const fs::path& directory, std::optional
     }
     text += table_of(study.runs, screen);
     const bool whole = study.count("finished") == std::ssize(study.runs);
-    const std::string how = study.kind == StudyKind::replicas ? fmt::format("ljmd resume {}", directory.string())
+    const std::string how = study.kind == StudyKind::replicas ? fmt::format("ljmd resume {}", shell_word(directory))
                                                               : "the command that began it";
     return text + (whole || study.running ? "" : fmt::format("to go on: {}\n", how));
 }

@@ -191,16 +191,12 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     });
 }
 
-bool holds_another_sweep(const SweepPlan& plan, const fs::path& directory) {
-    const auto recorded = recorded_sweep(directory);
-    return recorded && !difference(*recorded, plan).empty();
-}
-
 void record_sweep(const SweepPlan& plan, const OpenDirectory& directory) {
     write_file_atomically(directory / "sweep.json", record_json(plan));
 }
 
-void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force) {
+void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force,
+                   const std::function<void(const fs::path&)>& wait) {
     const fs::path& path = directory.path();
     const auto replaced = runs_to_replace(plan, path, force);
     const std::vector<ChildRun> old = replaced.value_or(std::vector<ChildRun>());
@@ -216,16 +212,19 @@ void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool f
                 fmt::format("{} holds a run that is not of this sweep; --force makes it anew", run.directory.string()));
         }
     }
-    // The record is on the disk before the first run is removed, and takes its place after the last one was.
-    ReplacementFile record(directory / "sweep.json");
-    OutputFile file(record);
-    file.write(record_json(plan));
-    file.close_on_disk();
     const OpenDirectory points = directory.made_within("points");
     std::optional<DirectoryLock> workers_away;
     if (replaced) {
         workers_away.emplace(points);
     }
+    if (replaced || plan.replicas > 0) {
+        wait(points.path());
+    }
+    // The record is on the disk before the first run is removed, and takes its place after the last one was.
+    ReplacementFile record(directory / "sweep.json");
+    OutputFile file(record);
+    file.write(record_json(plan));
+    file.close_on_disk();
     remove_left_over(points);
     directory.require_at_its_path();
     std::ranges::for_each(old, remove_run);

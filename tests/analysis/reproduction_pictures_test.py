@@ -69,6 +69,8 @@ def test_what_cannot_be_drawn(tmp: Path) -> None:
     check_error(plot(write_table(tmp), "--out", tmp / "x.txt"), 2, "must end in .png")
     edit(tmp / "results.json", '"Z_thol2016": 0.9, ', "")
     refused(lambda: reproductions.load(tmp), "Z_thol2016")
+    edit(write_table(tmp) / "results.json", '"value": 3.5', '"value": {}')
+    refused(lambda: reproductions.load(tmp), "results.json: 'value' is {}")
     refused(lambda: reproductions.load(write_table(tmp, rows=0)), "no rows")
     (write_table(tmp) / "results.json").write_text('{"rows": [1]}')
     refused(lambda: reproductions.load(tmp), "not an object")

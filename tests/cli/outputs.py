@@ -311,6 +311,47 @@ def another_seed_is_another_run(t):
     t.equal(len(finals), 2, "different last configurations")
 
 
+def commands_can_be_copied(t):
+    """A shell takes each command that is printed for what it is meant to be, whatever the names are."""
+    name, deck = "it's a $HOME; test", "a deck & more.toml"
+    (t.dir / "bin").mkdir()
+    (t.dir / "bin/ljmd").symlink_to(t.ljmd)
+    environment = {**clean_environment(), "PATH": f"{t.dir}/bin:{os.environ['PATH']}", "HOME": "elsewhere"}
+
+    def copied(text, pattern, *replacements, code=0):
+        """Run what the group of the pattern matches."""
+        found = re.search(pattern, text)
+        t.check(found, f"{pattern!r} is not in:\n{text}")
+        command = found.group(1)
+        for old, new in replacements:
+            t.contains(command, old)
+            command = command.replace(old, new)
+        return t.expect(code, t.command(["/bin/sh", "-c", command], env=environment))
+
+    made = t.run_well("init", deck)
+    copied(made.out, "to see what it costs: (.*)")
+    t.contains(made.out, "to run it: ljmd run 'a deck & more.toml'\n")
+    t.deck(name=deck)
+    request = ("run", deck, "--out", name, "--quiet")
+    stopped = t.expect(75, t.run(*request, "--walltime", "0.000001s"))
+    t.contains(copied(t.run_well("info", name).out, "to go on: (.*)", ("resume", "info")).out, "to go on: ")
+    copied(t.expect(2, t.run(*request)).err, "resume it: (.*), or choose", ("resume", "info"))
+    copied(stopped.err, "to go on: (.*)")
+    copied(t.run_well("resume", name).err, "to make it longer: (.*)", ("+N", "+10"))
+    t.contains(t.run_well("info", name).out, "70")
+    copied(t.run_well("export", deck, "--to", "lammps", "--out", f"{name} 1").out, "(cd .*)", ("lmp -in", "ls"))
+    sweep = ("sweep", deck, "--grid", "system.temperature=1|2", "--out", f"{name} 2")
+    copied(t.run_well(*sweep, "--prepare").out, "to run them: (.*)", ("K/T", "1/1"))
+    copied(t.run_well(*sweep, "--quiet").out, "to draw them: (.*)", ("plot", "info"))
+    copied(t.expect(3, t.run("analyze", f"{name} 2")).err, "`(ljmd report .*?)` shows it")
+    t.run_well("run", deck, "--replicas", "2", "--out", f"{name} 3", "--quiet")
+    (t.dir / f"{name} 3/points/replica-1/run.json").unlink()
+    copied(t.run_well("info", f"{name} 3").out, "to go on: (.*)")
+    failing = t.expect(5, t.run("run", deck, "--replicas", "2", "--out", f"{name} 4", "--quiet", "--force",
+                                "--set", "stage.production.time_step=0.4"))
+    copied(failing.err, "to try them again: (.*)", code=5)
+
+
 def few_bodies(t):
     """A few-body run there and back on integer positions: all its files, and the checksum it began with."""
     stage = 'integrator = "bit-reversible"\n'
@@ -339,4 +380,4 @@ def cases():
                          the_start_is_not_replaced, the_deck_is_not_replaced,
                          a_run_that_ends_meanwhile_is_not_replaced, output_is_a_file, json_on_stdout, table_on_stdout,
                          a_title_cannot_play_tricks, same_deck_same_bytes, output_does_not_disturb,
-                         another_seed_is_another_run, few_bodies)]
+                         another_seed_is_another_run, commands_can_be_copied, few_bodies)]

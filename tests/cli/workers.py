@@ -161,6 +161,7 @@ def a_point_that_fails(t):
     status = json.loads(t.run_well("sweep", "--status", "out", "--json").out)
     t.equal({name: count for name, count in status["states"].items() if count}, {"finished": 2, "failed": 1}, "states")
     t.contains(status["runs"][1]["words"], "exit code 5: error: ")
+    t.equal([run["total_steps"] for run in status["runs"]], [60] * 3, "steps")
     t.contains(t.run_well("sweep", "--status", "out").out, "  time_step=0.4    failed")
 
 
@@ -238,11 +239,13 @@ def replaced_beside_workers(t):
     before = t.read("out/sweep.json")
     other = ("sweep", "deck.toml", "--grid", "system.density=0.7|0.8", "--out", "out", "--prepare")
     t.expect(2, t.run(*other))
-    replacing = start(t, *other, "--force")
-    replacing.stderr.readline()  # waits for the point
+    refused = t.expect(9, t.run(*other, "--force"))
+    t.equal((worker.poll(), refused.out), (None, ""), "the worker, for which nobody waits, and stdout")
+    t.check("waiting" not in refused.err, f"it waits:\n{refused.err}")
+    t.equal(t.read("out/sweep.json"), before, "sweep.json")
     worker.send_signal(signal.SIGUSR1)
     t.equal(end(worker)[0], 138, "exit code of the worker")
-    t.check(end(replacing)[0] in (0, 9), "exit code of the other sweep")
+    t.run_well(*other, "--force")
     t.check(t.read("out/sweep.json") != before, "the sweep was not replaced")
 
 
@@ -292,6 +295,32 @@ def without_slurm(t):
     t.equal(t.files(), ["deck.toml"], "files")
 
 
+def submitted_by_another_path(t):
+    """However the directory is reached, it is one and the same array that is looked for in the queue."""
+    t.deck()
+    (t.dir / "bin").mkdir()
+    # A queue in which an array stays: squeue tells of the names that sbatch was given.
+    for name, text in (("sbatch", 'for word; do case $word in --job-name=*) echo "$word" >> queue; esac; done; echo 17'),
+                       ("squeue", 'for word; do case $word in --name=*) name=$word; esac; done\n'
+                                  'grep -q -x -e "--job-${name#--}" queue 2> /dev/null && echo 17 PENDING; true')):
+        (t.dir / "bin" / name).write_text(f"#!/bin/sh\ncd '{t.dir}'\n{text}\n", encoding="utf-8")
+        (t.dir / "bin" / name).chmod(0o755)
+    environment = {**clean_environment(), "PATH": f"{t.dir}/bin:{os.environ['PATH']}"}
+    slurm = ("--slurm", "")
+    (t.dir / "link").symlink_to("real")
+    (t.dir / "real").mkdir()
+    t.contains(t.run_well(*REQUEST, "real/out", *slurm, env=environment).out, "submitted: array 17 of 6 tasks\n")
+    for path in ("real/out", "link/out", "./real//out/", "link/../real/out", t.dir / "real/out", t.dir / "link/out"):
+        result = t.expect(9, t.run(*REQUEST, path, *slurm, env=environment))
+        t.contains(result.err, f"error: array 17 of {(t.dir / 'real/out').resolve()} is queued or running. Nothing was submitted.\n")
+    t.run_well(*REQUEST, "link/other", *slurm, env=environment)
+    t.equal(len(set(t.read("queue").split())), 2, "names of arrays")
+    t.run_well(*REQUEST, "it's mine", *slurm, env=environment)
+    result = t.expect(9, t.run(*REQUEST, "it's mine", *slurm, env=environment))
+    command = re.search("how far it is: ljmd (.*)", result.err).group(1)
+    t.contains(t.expect(0, t.shell(f'"$LJMD" {command}')).out, "not begun     6\n")
+
+
 def refused(*arguments, prepare=None):
     """A case: a command is refused with a golden message, and nothing is changed."""
     def test(t):
@@ -312,7 +341,7 @@ def cases():
             for test in (prepared_and_worked_on, prepared_twice, a_share_without_points, many_workers_at_once, out_of_time,
                          told_to_end_twice_at_once, a_point_that_fails, a_point_killed, another_run_in_a_point, damaged_records,
                          a_deck_changed_by_hand, held_by_hand, replaced_beside_workers,
-                         rows_of_a_table, with_gnu_parallel, without_slurm)] + [
+                         rows_of_a_table, with_gnu_parallel, without_slurm, submitted_by_another_path)] + [
         Case("stopped by SIGTERM and taken over", ended_and_taken_over(signal.SIGTERM)),
         Case("stopped by SIGUSR1 and taken over", ended_and_taken_over(signal.SIGUSR1)),
         Case("killed and taken over", ended_and_taken_over(signal.SIGKILL))] + [
@@ -327,6 +356,9 @@ def cases():
         Case("the status of nothing", refused("sweep", "--status", "out")),
         Case("the status of a deck", refused("sweep", "--status", "deck.toml")),
         Case("the status of a table that is none", refused("reproduce", "--status", "out")),
+        Case("the tasks of Slurm given", refused(*REQUEST, "out", "--slurm", "-p all --array=1-3")),
+        Case("the name for Slurm given", refused(*REQUEST, "out", "--slurm", "-J mine")),
+        Case("the tasks of Slurm given for a table", refused(*ROWS, "out", "--slurm", "-a1-3")),
         Case("prepared and submitted", refused(*REQUEST, "out", "--prepare", "--slurm", "")),
         Case("prepared with another grid", refused(*REQUEST[:3], "system.density=0.7|0.8", "--out", "out", "--prepare",
                                                    prepare=REQUEST)),

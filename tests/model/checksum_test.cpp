@@ -89,6 +89,31 @@ TEST_CASE("a checksum tells which atom is where, and nothing of velocities and t
     CHECK(checksum(later) == checksum(bodies()));
 }
 
+TEST_CASE("the checksum of a configuration changes with whatever was read") {
+    const Configuration whole{.edges = Vec3(5, 6, 7),
+                              .positions = {Vec3(1, 2, 3), Vec3(2, 3, 4)},
+                              .velocities = {Vec3(0.1, 0.2, 0.3), Vec3(0, 0, 1)},
+                              .masses = {1.0, 1.0},
+                              .time = 2.0,
+                              .step = 10};
+    const std::string expected = checksum(whole);
+    CHECK(checksum(Configuration(whole)) == expected);
+    const auto changed = [&](const auto& change) {
+        Configuration other = whole;
+        change(other);
+        return checksum(other) != expected;
+    };
+    CHECK(changed([](Configuration& c) { c.edges[2] = one_bit_more(c.edges[2]); }));
+    CHECK(changed([](Configuration& c) { c.positions[1][0] = one_bit_more(c.positions[1][0]); }));
+    CHECK(changed([](Configuration& c) { std::swap(c.positions[0], c.positions[1]); }));
+    CHECK(changed([](Configuration& c) { c.velocities[0][1] = one_bit_more(c.velocities[0][1]); }));
+    CHECK(changed([](Configuration& c) { c.velocities.clear(); }));
+    CHECK(changed([](Configuration& c) { c.masses[0] = 2.0; }));
+    CHECK(changed([](Configuration& c) { c.time = 2.5; }));
+    CHECK(changed([](Configuration& c) { c.step = 11; }));
+    CHECK(changed([](Configuration& c) { std::swap(c.positions, c.velocities); }));
+}
+
 TEST_CASE("zero is zero whatever its sign, and what is not finite has no checksum") {
     State state = bodies();
     state.write_positions()(1, 0) = -0.0;

@@ -22,45 +22,47 @@ std::vector<int> numbers_of(const Share& share) {
 
 const std::vector<int> all_numbers = numbers_of({0, total});
 
+/// Give the bytes of all numbers as one list to teams of one to three ranks, each rank of which does its work.
+/// @param work  takes bytes, ranks, and a mutex that a rank holds while it checks
+template <class Work>
+void share_all_numbers(const Work& work) {
+    std::vector<int> numbers = all_numbers;
+    Archive one;
+    one(numbers);
+    const int size = GENERATE(1, 2, 3);
+    std::mutex mutex;
+    RankTeam(size).run([&](const std::shared_ptr<Ranks>& ranks) { work(one.bytes(), *ranks, mutex); });
+}
+
 }  // namespace
 
 TEST_CASE("ranks write the bytes of one list, in their order, whoever has how many") {
-    std::vector<int> expected = all_numbers;
-    Archive one;
-    one(expected);
-    const int size = GENERATE(1, 2, 3);
-    std::mutex mutex;
-    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+    share_all_numbers([](std::span<const std::byte> expected, Ranks& ranks, std::mutex& mutex) {
         // Rank 0 has none, the last one what is left: 30,000 atoms and more.
-        const int rank = ranks->rank();
-        const bool is_last = rank == ranks->size() - 1;
+        const int rank = ranks.rank();
+        const bool is_last = rank == ranks.size() - 1;
         const Index first = rank == 0 ? 0 : 1001 * (rank - 1);
         const Share share{first, is_last ? total : 1001 * rank};
         const std::vector<int> here = numbers_of(share);
         Archive a;
-        SharedArchive(a, *ranks, share.count(), total).write(std::span<const int>(here), 2);
+        SharedArchive(a, ranks, share.count(), total).write(std::span<const int>(here), 2);
         const std::lock_guard lock(mutex);
-        CHECK(a.bytes().size() == (ranks->is_root() ? one.bytes().size() : 0));
-        CHECK(std::equal(a.bytes().begin(), a.bytes().end(), one.bytes().begin()));
+        CHECK(a.bytes().size() == (ranks.is_root() ? expected.size() : 0));
+        CHECK(std::equal(a.bytes().begin(), a.bytes().end(), expected.begin()));
     });
 }
 
 TEST_CASE("each rank reads its share, and looks at all") {
-    std::vector<int> written = all_numbers;
-    Archive one;
-    one(written);
-    const int size = GENERATE(1, 2, 3);
-    std::mutex mutex;
-    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
-        Archive a(one.bytes());
+    share_all_numbers([](std::span<const std::byte> written, Ranks& ranks, std::mutex& mutex) {
+        Archive a(written);
         std::vector<int> list;
         std::vector<int> seen;
-        SharedArchive(a, *ranks, 0, total).read(list, 2, [&](std::span<const int> piece) {
+        SharedArchive(a, ranks, 0, total).read(list, 2, [&](std::span<const int> piece) {
             seen.insert(seen.end(), piece.begin(), piece.end());
         });
         a.expect_end();
         const std::lock_guard lock(mutex);
-        CHECK(list == numbers_of(even_share(total, *ranks)));
+        CHECK(list == numbers_of(even_share(total, ranks)));
         CHECK(seen == all_numbers);
     });
 }

@@ -321,6 +321,34 @@ def case_refused(t):
                           cwd=t.folder, check=False)
     check("decks that differ: exit code", int(done.returncode in (2, 8)), 1, 0)
     told_once(done, "another deck than rank 0")
+    # Ranks that work in different folders, where a relative path leads to different start files and checkpoints.
+    deck = t.written(deck_of(system='file = "start.xyz"', checkpoint=20))
+    folders = [t.new(), t.new()]
+    for folder, seed in zip(folders, (1, 2)):
+        t.well(0, "run", good, "--set", f"system.seed={seed}", "--set", "stage.go.steps=10", "--quiet", "--out", folder)
+        shutil.copy(folder / "final.xyz", folder / "start.xyz")
+    apart = t.new(".sh")
+    apart.write_text(f'#!/bin/sh\nif [ "${{OMPI_COMM_WORLD_RANK:-$PMI_RANK}}" = 0 ]; then cd {folders[0]}; else cd {folders[1]}; fi\n'
+                     f'exec {t.options.ljmd} "$@" --quiet\n', encoding="utf-8")
+    apart.chmod(0o755)
+
+    def run_apart(*arguments):
+        return subprocess.run([t.options.mpirun, "--oversubscribe", "-n", "2", apart, *arguments], capture_output=True, text=True,
+                              timeout=PATIENCE, cwd=t.folder, check=False)
+
+    out = t.new()
+    done = run_apart("run", deck, "--out", out)
+    check("start files that differ: exit code", int(done.returncode in (2, 8)), 1, 0)
+    told_once(done, "1 of 2 ranks read another start file than rank 0")
+    check("start files that differ: nothing is written", int(out.exists()), 0, 0)
+    shutil.copy(folders[0] / "start.xyz", folders[1])
+    check("start files that are the same: exit code", run_apart("run", deck, "--out", out).returncode, 0, 0)
+    t.well(0, "run", good, "--quiet", "--out", folders[0] / "run")
+    shutil.copytree(folders[0] / "run", folders[1] / "run")
+    max((folders[1] / "run").glob("checkpoint.*"), key=lambda path: path.stat().st_mtime_ns).unlink()
+    done = run_apart("resume", "run")
+    check("checkpoints that differ: exit code", int(done.returncode in (2, 8)), 1, 0)
+    told_once(done, "1 of 2 ranks read another checkpoint than rank 0")
     # Without its part for MPI, and in a job of Slurm without mpirun.
     copy = t.new("copy")
     copy.mkdir()

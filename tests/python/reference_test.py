@@ -36,6 +36,24 @@ class ReferenceValues(Case):
         command = [ljmd._program.program(), "reference", "--temperature", "2", "--density", "0.5", "--atoms", "108", "--replicas", "2", "--error",
                    "energy=0.02", "--properties", "g,c_v", "--max-steps", "10000", "--out", self.folder / "runs", "--json", "--quiet"]
         self.assertEqual(json.loads(subprocess.run(command, check=True, capture_output=True).stdout), found.data)
+        self.damaged(self.folder / "runs" / "results.json")
+
+    def damaged(self, file):
+        """Each damage of the results is said, with their file."""
+        whole = json.loads(file.read_text())
+
+        def read():
+            repr(ljmd.open(file.parent))
+
+        read()
+        file.write_text("{}")
+        self.assertRaisesText(ljmd.DataError, str(file), "'phase' is missing", of=read)
+        for key in ("phase", "warnings", "citation", "temperature", "density"):
+            file.write_text(json.dumps({name: value for name, value in whole.items() if name != key}))
+            self.assertRaisesText(ljmd.DataError, str(file), f"'{key}' is missing", of=read)
+        for key in ("mean", "unit", "total_error"):
+            file.write_text(json.dumps({**whole, "pressure": {**whole["pressure"], key: []}}))
+            self.assertRaisesText(ljmd.DataError, str(file), f"'{key}' is []", of=read)
 
     def test_mistakes_and_refusals(self):
         self.assertRaisesText(ljmd.PhysicsError, "separates into vapour and liquid", of=lambda: ljmd.reference(1.0, 0.3))

@@ -90,6 +90,24 @@ class Runs(Case):
         self.assertEqual(ljmd.open(self.folder / "other").stages, run.stages)
         self.assertRaisesText(ljmd.DataError, "not the directory of a run", of=lambda: ljmd.open(self.folder))
 
+    def test_damaged_results_are_said_with_their_file(self):
+        self.run_of()
+        file = self.folder / "run" / "results.json"
+        whole = json.loads(file.read_text())
+
+        def read():
+            run = ljmd.open(self.folder / "run")
+            return repr(run), run.warnings, run.stages, run._repr_html_()
+
+        read()
+        file.write_text("{}")
+        self.assertRaisesText(ljmd.DataError, str(file), "'observables' is missing", of=read)
+        for key in ("title", "system", "observables", "stages", "warnings"):
+            file.write_text(json.dumps({**whole, key: 3}))
+            self.assertRaisesText(ljmd.DataError, str(file), f"'{key}' is 3", of=read)
+        file.write_text(json.dumps({**whole, "system": {"atoms": 108}}))
+        self.assertRaisesText(ljmd.DataError, str(file), "'density' is missing", of=read)
+
     def saved(self):
         small_deck().save(self.folder / "small.toml")
         return self.folder / "small.toml"

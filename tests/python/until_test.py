@@ -53,6 +53,9 @@ class Replicas(Case):
         again = ljmd.open(self.folder / "replicas")
         self.assertEqual(again.data, replicas.data)
         self.assertIn("2 replicas", repr(again))
+        file = self.folder / "replicas" / "results.json"
+        file.write_text("{}")
+        self.assertRaisesText(ljmd.DataError, str(file), "'observables' is missing", of=lambda: ljmd.open(self.folder / "replicas"))
 
     def test_what_replicas_do_not_take_is_refused(self):
         deck = small_deck()

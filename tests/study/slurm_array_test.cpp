@@ -20,6 +20,18 @@ TEST_CASE("options are words as a shell separates them") {
     CHECK_THROWS_AS(shell_words("\"\\\""), InputError);
 }
 
+TEST_CASE("options that ljmd sets itself are refused, in each form that sbatch takes") {
+    for (const std::string text : {"--array=1-3", "--array 1-3", "-a 1-3", "-a1-3", "--arr=1-3", "--job-name=mine",
+                                   "--job-name mine", "-J mine", "-Jmine", "--job-n=mine", "-p all '--array=1-3'"}) {
+        CAPTURE(text);
+        CHECK_THROWS_WITH(sbatch_options(text),
+                          Catch::Contains("cannot be given") && Catch::Contains("Nothing was run."));
+    }
+    CHECK(sbatch_options("-A project -p all --account=a --acctg-freq=5 --time 1:00 -t8 --comment=--array") ==
+          Words{"-A", "project", "-p", "all", "--account=a", "--acctg-freq=5", "--time", "1:00", "-t8",
+                "--comment=--array"});
+}
+
 TEST_CASE("tasks are written as ranges") {
     CHECK(array_ranges({}).empty());
     CHECK(array_ranges({4}) == "4");

@@ -58,7 +58,9 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
     CHECK(json["runs"][1]["step"] == 20);
     CHECK(json["runs"][1]["total_steps"] == 60);
     CHECK(json["runs"][2]["words"] == "error: blown up");
+    CHECK(json["runs"][2]["total_steps"] == 60);
     CHECK(json["runs"][3]["step"].is_null());
+    CHECK(json["runs"][3]["total_steps"] == 60);
 }
 
 TEST_CASE("a run whose log a process holds is running, and a failed one tells its exit code") {
@@ -81,6 +83,25 @@ TEST_CASE("a run whose log a process holds is running, and a failed one tells it
     CHECK(free["runs"][0]["state"] == "failed");
 }
 
+TEST_CASE("a run that has not begun has the steps of its point, and those that were added to its replica") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    const auto steps_in = [&](const SweepPlan& plan) {
+        prepare_sweep(plan, out, true);
+        std::vector<Index> steps;
+        const Data found = study_report(out).data;
+        for (const Data& run : found["runs"].items()) {
+            steps.push_back(run["total_steps"].integer());
+        }
+        return steps;
+    };
+    const std::vector<std::string> settings{"stage.equilibrate.steps=7"};
+    CHECK(steps_in({"some.toml", small_deck, settings, {{"stage.production.steps"}, {{"10"}, {"100"}}}}) ==
+          std::vector<Index>{17, 107});
+    CHECK(steps_in({"some.toml", small_deck, {}, {{"system.seed"}, {{"1"}, {"2"}}}, 2, 30}) ==
+          std::vector<Index>{90, 90});
+}
+
 TEST_CASE("a reproduced table is a study, too, a run or an empty directory is none") {
     const TemporaryFolder folder;
     const fs::path out = folder / "";
@@ -92,6 +113,9 @@ TEST_CASE("a reproduced table is a study, too, a run or an empty directory is no
     CHECK_THAT(study_report(out).text,
                Contains("a reproduced table of 2 runs\n") && Contains("  a  not begun\n  b  not begun\n"));
     CHECK(study_report(out).data["kind"] == "reproduction");
+    CHECK(study_report(out).data["runs"][1]["total_steps"] == 60);
+    std::ofstream(out / "rows" / "b.toml") << "damaged";
+    CHECK(study_report(out).data["runs"][1]["total_steps"] == 0);
     std::ofstream(out / "run.json") << "{}";
     CHECK_FALSE(holds_study(out));
 }

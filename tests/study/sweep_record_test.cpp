@@ -104,9 +104,6 @@ TEST_CASE("while workers run points, no other sweep takes their directory") {
     const fs::path out = folder / "";
     prepare_sweep(plan(), out, false);
     const SweepPlan other = plan({{"1"}, {"3"}});
-    CHECK_FALSE(holds_another_sweep(plan(), out));
-    CHECK(holds_another_sweep(other, out));
-    CHECK_FALSE(holds_another_sweep(other, folder / "none"));
     std::optional<SharedDirectory> worker(out / "points");
     CHECK_NOTHROW(prepare_sweep(plan(), out, false));
     const std::string before = content_of(out / "sweep.json");
@@ -115,6 +112,32 @@ TEST_CASE("while workers run points, no other sweep takes their directory") {
     worker.reset();
     prepare_sweep(other, out, true);
     CHECK(content_of(out / "sweep.json") != before);
+}
+
+TEST_CASE("runs are waited for when nothing else is in the way, and before they are removed") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    const auto never = [](const fs::path&) { FAIL("nothing is to be waited for"); };
+    prepare_sweep(plan(), out, false, never);
+    leave_run(sweep_runs(plan(), out)[1]);
+    const SweepPlan other = plan({{"1"}, {"3"}});
+    CHECK_THROWS_AS(prepare_sweep(other, out, false, never), InputError);
+    {
+        const SharedDirectory worker(out / "points");
+        CHECK_THROWS_AS(prepare_sweep(other, out, true, never), InUseError);
+    }
+    fs::create_directories(out / "sweep.csv");
+    CHECK_THROWS_AS(prepare_sweep(other, out, true, never), InputError);
+    fs::remove(out / "sweep.csv");
+    prepare_sweep(plan(), out, true, never);  // the same one replaces nothing
+    int waited = 0;
+    prepare_sweep(other, out, true, [&](const fs::path& points) {
+        ++waited;
+        CHECK(points == out / "points");
+        CHECK(fs::exists(points / "temperature=2" / "run.json"));
+    });
+    CHECK(waited == 1);
+    CHECK_FALSE(fs::exists(out / "points" / "temperature=2" / "run.json"));
 }
 
 TEST_CASE("a sweep that failed before its record was written can be given again") {

@@ -5,8 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "ljmd/deck/deck.hpp"
+#include "ljmd/deck/checked_run.hpp"
 #include "ljmd/execution/ranks.hpp"
+#include "ljmd/run/held_run.hpp"
 
 namespace ljmd {
 
@@ -27,9 +28,13 @@ void refuse_ranks(const std::string& command);
 /// @throws what `work` throws; RankLost if another rank says why
 void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<void()>& work);
 
-/// Require that all ranks have the same deck, and that ranks can share its run. Collective.
+/// Require that all ranks have read the same deck and the same start file, and that ranks can share the run.
+/// Collective.
 /// @throws InputError, at rank 0; RankLost elsewhere
-void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck);
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck, const CheckedRun& run);
+
+/// The same for a run that is resumed: its deck and its checkpoint.
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const HeldRun& run);
 
 /// Report the exception that is being handled, and end this rank: by an exit code, if all ranks end because of it; else
 /// it ends all of them. What all ranks find, rank 0 says. Without other ranks: report_current_exception().

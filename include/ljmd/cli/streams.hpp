@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,9 @@ void print_result(const std::string& text);
 
 /// Print a report as text or as JSON, as print_result().
 void print_document(const Document& document, bool as_json);
+
+/// The end of a report: where its files are, and how to draw them.
+[[nodiscard]] std::string told_files(const std::filesystem::path& directory);
 
 /// Print a message to stderr. Errors are ignored.
 void print_message(const std::string& text) noexcept;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ljmd/model/configuration.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -11,5 +12,8 @@ namespace ljmd {
 /// nor on when they were last wrapped.
 /// @throws PhysicsError if a position is not finite
 [[nodiscard]] std::string checksum(const State& state);
+
+/// Checksum of all that was read of a configuration, to the last bit.
+[[nodiscard]] std::string checksum(const Configuration& configuration);
 
 }  // namespace ljmd

@@ -31,6 +31,7 @@ class HeldRun {
 
     [[nodiscard]] const Deck& deck() const { return run_.deck; }
     [[nodiscard]] const CheckpointHead& checkpoint() const { return continuation_.head; }
+    [[nodiscard]] const std::string& checkpoint_hash() const { return continuation_.file.hash; }
     [[nodiscard]] const Execution& execution() const { return execution_; }
 
     /// Checkpoints that could not be used.

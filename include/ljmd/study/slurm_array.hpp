@@ -14,6 +14,11 @@ inline constexpr std::size_t max_array_tasks = 1000;
 /// @throws InputError  a quote is not closed
 [[nodiscard]] std::vector<std::string> shell_words(const std::string& text);
 
+/// Options of sbatch that a user gives, as words.
+/// @throws InputError  a quote is not closed, or there is one of `--array` and `--job-name`, in whatever form sbatch
+/// takes it: the tasks are the points of the study, and the name is that by which the array is found in the queue
+[[nodiscard]] std::vector<std::string> sbatch_options(const std::string& text);
+
 /// The tasks of an array as sbatch wants them: "1-3,7". @param tasks  in increasing order
 [[nodiscard]] std::string array_ranges(const std::vector<std::size_t>& tasks);
 
@@ -27,9 +32,9 @@ inline constexpr std::size_t max_array_tasks = 1000;
 class SlurmArray {
   public:
     /// @param command    "sweep" or "reproduce"
-    /// @param directory  of the study; the name of the array is made from its absolute path
-    /// @param options    of sbatch, in one text
-    /// @throws InputError  sbatch or squeue is not on this computer, or a quote is not closed
+    /// @param directory  of the study; the name of the array is made from its canonical path
+    /// @param options    of sbatch, in one text, as sbatch_options() takes them
+    /// @throws InputError  as sbatch_options(), or sbatch or squeue is not on this computer
     SlurmArray(std::string command, const std::filesystem::path& directory, const std::string& options);
 
     /// @throws InUseError  an array of this study is queued or running
@@ -46,7 +51,7 @@ class SlurmArray {
     [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;
 
     std::string command_;
-    std::filesystem::path directory_;  ///< absolute
+    std::filesystem::path directory_;  ///< canonical
     std::vector<std::string> options_;
     std::filesystem::path sbatch_;
     std::filesystem::path squeue_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,15 +31,16 @@ struct SweepPlan {
 /// points
 [[nodiscard]] std::optional<SweepPlan> recorded_sweep(const std::filesystem::path& directory);
 
-/// Whether a directory holds a sweep that differs from this one. @throws DataError  its sweep.json is damaged
-[[nodiscard]] bool holds_another_sweep(const SweepPlan& plan, const std::filesystem::path& directory);
-
 /// Prepare a directory for a sweep: refuse files of another sweep, or with `force` remove them, except for runs that
 /// both sweeps have in common; then write sweep.json and the copy of the deck. Foreseeable failures are found before
-/// anything is removed. @pre the directory is locked
+/// anything is removed, and before there is any waiting. @pre the directory is locked
+/// @param wait  called before runs of another sweep are removed, and before those of replicas are resumed: returns when
+/// none of them writes any more
 /// @throws InputError  it holds another sweep, or points without a sweep  @throws DataError  its sweep.json is damaged
 /// @throws InUseError  workers run the points of the other sweep  @throws FileError
-void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force);
+void prepare_sweep(
+    const SweepPlan& plan, const OpenDirectory& directory, bool force,
+    const std::function<void(const std::filesystem::path& points)>& wait = [](const std::filesystem::path&) {});
 
 /// Write sweep.json anew, for the same runs. @pre the directory holds this sweep, and is locked  @throws FileError
 void record_sweep(const SweepPlan& plan, const OpenDirectory& directory);

@@ -38,8 +38,8 @@ def read_row(path: Path, entry: Any) -> Row:
     verlet = field(path, entry, "Z_verlet", dict, default={}) or {}
     return Row(
         rho=number("rho"), temperature=number("T"), found=number("Z"), error=number("Z_standard_error"),
-        beyond_cutoff=number("Z_beyond_cutoff"), verlet=float(verlet.get("value", math.nan)),
-        sound=verlet.get("soundness") == "sound", thol=number("Z_thol2016"), kolafa=number("Z_kolafa_nezbeda1994"),
+        beyond_cutoff=number("Z_beyond_cutoff"), verlet=float(field(path, verlet, "value", float, default=math.nan)),
+        sound=field(path, verlet, "soundness", str, default="") == "sound", thol=number("Z_thol2016"), kolafa=number("Z_kolafa_nezbeda1994"),
     )
 
 

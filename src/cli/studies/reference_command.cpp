@@ -10,6 +10,7 @@
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/cli/studies/replica_study.hpp"
+#include "ljmd/cli/studies/study_steps.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
@@ -79,12 +80,11 @@ class ReferencePhase {
         diagnostics.throw_if_errors();
         plan_ = replica_plan(*deck_, {}, replicas);
         const fs::path folder = out / name_;
-        wait_for_runs(folder / "points", until_signal(), print_message);
         if (const auto recorded = recorded_sweep(folder);
             recorded && recorded->deck == plan_.deck && recorded->points == plan_.points) {
             plan_.steps_added = recorded->steps_added;
         }
-        prepare_sweep(plan_, lock_.directory(), options.force);
+        prepare_sweep(plan_, lock_.directory(), options.force, wait_for_writing_runs);
     }
 
     /// Run until all replicas have their lengths.

@@ -9,6 +9,7 @@
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/child_run.hpp"
 #include "ljmd/study/replicas.hpp"
@@ -85,7 +86,7 @@ Document complete_replicas(const SweepPlan& plan, const OpenDirectory& directory
     directory.require_at_its_path();
     if (failed > 0) {
         throw PhysicsError(fmt::format("{} of {} replicas failed; to try them again: ljmd resume {}{}", failed,
-                                       runs.size(), directory.path().string(), failures));
+                                       runs.size(), shell_word(directory.path()), failures));
     }
     std::vector<ChildRun> children;
     children.reserve(runs.size());

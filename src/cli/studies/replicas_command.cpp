@@ -7,6 +7,7 @@
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/cli/studies/replica_study.hpp"
+#include "ljmd/cli/studies/study_steps.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck.hpp"
@@ -45,8 +46,7 @@ void replicas_command(const DeckOptions& options, const std::string& out, Index 
     make_directory(deck->directory);
     const DirectoryLock lock(deck->directory);
     require_no_run(deck->directory, "Nothing was run");
-    wait_for_runs(deck->directory / "points", until_signal(), print_message);
-    prepare_sweep(plan, lock.directory(), options.force);
+    prepare_sweep(plan, lock.directory(), options.force, wait_for_writing_runs);
     print_document(complete_replicas(plan, lock.directory(), *deck, jobs, options.quiet), options.json);
 }
 
@@ -62,7 +62,7 @@ void resume_replicas(const ResumeOptions& options, int jobs) {
     install_stop_handlers();
     const fs::path directory = options.directory;
     const DirectoryLock lock(directory);
-    wait_for_runs(directory / "points", until_signal(), print_message);
+    wait_for_writing_runs(directory / "points");
     SweepPlan plan = recorded_sweep(directory).value();
     const Deck deck = deck_of_replicas(plan);
     if (options.more_steps > 0) {

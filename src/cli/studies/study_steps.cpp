@@ -7,6 +7,7 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/study/study_report.hpp"
 #include "ljmd/study/work_share.hpp"
 
@@ -33,7 +34,7 @@ void print_status(const StudyWords& words, const std::filesystem::path& director
 void print_prepared(const StudyWords& words, const std::filesystem::path& directory, std::size_t runs, bool as_json) {
     print_document({{{"directory", directory.string()}, {"prepared", static_cast<Index>(runs)}},
                     fmt::format("{} {}{} prepared in {}\nto run them: ljmd {} --work K/T {}\n", runs, words.one,
-                                runs == 1 ? "" : "s", directory.string(), words.command, directory.string())},
+                                runs == 1 ? "" : "s", directory.string(), words.command, shell_word(directory))},
                    as_json);
 }
 
@@ -73,6 +74,10 @@ void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<R
     throw_failures(words, failures, ours.size(), "the same command tries them again");
 }
 
+void wait_for_writing_runs(const std::filesystem::path& folder) {
+    wait_for_runs(folder, until_signal(), print_message);
+}
+
 Gathered gathered(const std::vector<RunLine*>& lines) {
     Gathered found;
     for (RunLine* line : lines) {
@@ -101,7 +106,7 @@ void print_submitted(const StudyWords& words, const std::filesystem::path& direc
                     fmt::format("{}: {} of {} {}s are finished\nsubmitted: {}\nhow far they are: ljmd {} --status {}\n"
                                 "the same command gathers what is finished, and submits again what is missing\n",
                                 directory.string(), all - found.missing, all, words.one, submitted, words.command,
-                                directory.string())},
+                                shell_word(directory))},
                    as_json);
 }
 

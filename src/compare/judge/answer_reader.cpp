@@ -22,21 +22,25 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 6> frame_suffixes{".xyz", ".extxyz", ".dump", ".lammpsdump", ".lammpstrj", ".h5md"};
 constexpr std::size_t longest_name = 80;
 
-/// The file with frames of this name; nothing if there is none. @throws DataError  there are several
-std::optional<fs::path> frames_file(const fs::path& directory, const std::string& name) {
-    std::optional<fs::path> found;
+std::vector<fs::path> frames_files(const fs::path& directory, const std::string& name) {
+    std::vector<fs::path> found;
     for (const char* suffix : frame_suffixes) {
         const fs::path path = directory / (name + suffix);
-        if (!files::exists(path)) {
-            continue;
+        if (files::exists(path)) {
+            found.push_back(path);
         }
-        if (found) {
-            throw DataError(fmt::format("{} and {}: one file is enough, it is not known which one counts",
-                                        found->string(), path.filename().string()));
-        }
-        found = path;
     }
     return found;
+}
+
+/// The file with frames of this name; nothing if there is none. @throws DataError  there are several
+std::optional<fs::path> frames_file(const fs::path& directory, const std::string& name) {
+    const std::vector<fs::path> found = frames_files(directory, name);
+    if (found.size() > 1) {
+        throw DataError(fmt::format("{} and {}: one file is enough, it is not known which one counts",
+                                    found[0].string(), found[1].filename().string()));
+    }
+    return found.empty() ? std::nullopt : std::optional(found[0]);
 }
 
 std::optional<double> number(const Data& json, const char* key) {
@@ -88,7 +92,7 @@ std::vector<Vec3> forces_of(const Data& json, Index atoms) {
     return forces;
 }
 
-void read_point(const fs::path& path, Index atoms, Answer& answer) {
+void read_point(const fs::path& path, Index atoms, bool judged, Answer& answer) {
     read_json(path, "a point", [&](const Data& json) {
         if (!json.is_object()) {
             throw WrongData("it holds no object {...}");
@@ -102,12 +106,14 @@ void read_point(const fs::path& path, Index atoms, Answer& answer) {
                                                       in_quotes(member.key), fmt::join(known, ", ")));
             }
         }
-        answer.point = {.potential_energy = number(json, "potential_energy"),
-                        .kinetic_energy = number(json, "kinetic_energy"),
-                        .temperature = number(json, "temperature"),
-                        .virial = virial_of(json),
-                        .pressure = number(json, "pressure"),
-                        .forces = forces_of(json, atoms)};
+        if (judged) {
+            answer.point = {.potential_energy = number(json, "potential_energy"),
+                            .kinetic_energy = number(json, "kinetic_energy"),
+                            .temperature = number(json, "temperature"),
+                            .virial = virial_of(json),
+                            .pressure = number(json, "pressure"),
+                            .forces = forces_of(json, atoms)};
+        }
         if (const Data* engine = json.find("engine")) {
             answer.engine = printable(engine->text(), longest_name);
         }
@@ -192,16 +198,16 @@ ThermoAnswer read_thermo(const fs::path& path) {
 
 bool has_answer(const fs::path& directory) {
     return files::exists(directory / "point.json") || files::exists(directory / "thermo.csv") ||
-           frames_file(directory, "point") || frames_file(directory, "frames");
+           !frames_files(directory, "point").empty() || !frames_files(directory, "frames").empty();
 }
 
 Answer read_answer(const fs::path& directory, const Problem& problem) {
     Answer answer;
     const auto atoms = static_cast<Index>(problem.fluid.masses.size());
     if (const fs::path path = directory / "point.json"; files::exists(path)) {
-        read_point(path, atoms, answer);
+        read_point(path, atoms, problem.wants("point"), answer);
     }
-    if (const auto path = frames_file(directory, "point")) {
+    if (const auto path = problem.wants("point") ? frames_file(directory, "point") : std::nullopt) {
         std::vector<Frame> frames = read_frames(*path, problem, answer.warnings);
         if (frames.size() != 1 || frames[0].forces.empty()) {
             throw DataError(fmt::format("{} must hold one frame with forces, it has {}", path->string(),
@@ -213,11 +219,11 @@ Answer read_answer(const fs::path& directory, const Problem& problem) {
         }
         answer.point.forces = std::move(frames[0].forces);
     }
-    if (const auto path = frames_file(directory, "frames")) {
+    if (const auto path = problem.wants("trajectory") ? frames_file(directory, "frames") : std::nullopt) {
         answer.frames = read_frames(*path, problem, answer.warnings);
         find_steps(*path, problem.stage.time_step, answer.frames);
     }
-    if (const fs::path path = directory / "thermo.csv"; files::exists(path)) {
+    if (const fs::path path = directory / "thermo.csv"; problem.wants("averages") && files::exists(path)) {
         answer.thermo = read_thermo(path);
     }
     return answer;

@@ -13,6 +13,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/process.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 
 namespace ljmd {
 
@@ -21,15 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t most_printed = std::uintmax_t{64} << 20U;  // bytes
-
-/// A text as one word of the shell.
-std::string quoted(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) {
-        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return word + "'";
-}
 
 /// Whether a place in a command of the shell is within quotes.
 bool is_within_quotes(const std::string& command, std::size_t place) {
@@ -94,7 +86,7 @@ std::string engine_command(const std::string& command, const fs::path& input, co
     for (std::size_t k = 0; k < command.size();) {
         const bool is_input = command.compare(k, input_name.size(), input_name) == 0;
         if (is_input || command.compare(k, output_name.size(), output_name) == 0) {
-            line += quoted(is_input ? input.string() : output.string());
+            line += shell_word(is_input ? input : output);
             k += is_input ? input_name.size() : output_name.size();
         } else {
             line += command[k++];

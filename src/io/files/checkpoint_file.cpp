@@ -118,7 +118,7 @@ CheckpointFile checked(const fs::path& path) {
     if (head.zero != 0) {
         throw CheckpointError("its head holds something unknown");
     }
-    return {path, head.generation, length, file};
+    return {path, head.generation, length, file, hash.digest()};
 }
 
 }  // namespace

@@ -116,6 +116,13 @@ fs::path absolute(const fs::path& path) {
     return whole;
 }
 
+fs::path canonical(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(files::absolute(path), error);
+    require(error, "find", path);
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
 fs::path read_link(const fs::path& path) {
     std::error_code error;
     fs::path target = fs::read_symlink(path, error);

@@ -10,7 +10,9 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/stage.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/io/tables/pair_table_file.hpp"
 #include "ljmd/potentials/potential_identity.hpp"
 
@@ -205,16 +207,17 @@ std::string in_words(const GivenParts& given) {
 
 std::string how_to_resume(const GivenParts& given, const fs::path& directory) {
     if (given.empty()) {
-        return fmt::format("ljmd resume {}", directory.string());
+        return fmt::format("ljmd resume {}", shell_word(directory));
     }
     if (given.by != "Python") {
-        return fmt::format("resume_in_directory(\"{}\", ...) in the program that began it", directory.string());
+        return fmt::format("resume_in_directory({}, ...) in the program that began it",
+                           to_json_line(Data(directory.string())));
     }
     std::vector<std::string> names;
     for (const ObserverRecord& observer : given.observers) {
         names.push_back(printable(observer.name, 60));
     }
-    return fmt::format("ljmd.resume(\"{}\"{}{}) in Python", directory.string(),
+    return fmt::format("ljmd.resume({}{}{}) in Python", to_json_line(Data(directory.string())),
                        names.empty() ? "" : fmt::format(", observables=[{}]", fmt::join(names, ", ")),
                        given.external.empty() ? "" : fmt::format(", external={}", printable(given.external, 60)));
 }

@@ -116,6 +116,26 @@ TEST_CASE("an answer that cannot be used is refused with the file and what is ex
     }
 }
 
+TEST_CASE("of an answer only the files are read whose parts are judged") {
+    Place place;
+    place.write("point.json", R"({"engine": "mine", "degrees_of_freedom": 6, "potential_energy": "none"})");
+    place.write("point.xyz", "2\n");
+    place.write("frames.xyz", "damaged");
+    place.write("frames.dump", "damaged");
+    place.write("thermo.csv", "damaged");
+    CHECK(has_answer(place.folder / ""));
+    for (const auto& [part, file] :
+         {std::pair{"point", "point.json"}, std::pair{"trajectory", "frames"}, std::pair{"averages", "thermo.csv"}}) {
+        place.problem.parts = {part};
+        CHECK_THAT(place.complaint(), Contains(file));
+    }
+    place.problem.parts = {"speed"};
+    const Answer answer = place.read();
+    CHECK(answer.point.is_empty());
+    CHECK(answer.engine == "mine");
+    CHECK(answer.degrees_of_freedom == 6);
+}
+
 TEST_CASE("two files of one kind, and keys that nobody knows") {
     const Place place;
     place.write("point.json", R"({"forces": [[1, 2, 3], [4, 5, 6]], "potential": 1})");

@@ -25,14 +25,13 @@ std::string complaint(const std::string& command, double seconds = 60.0) {
 
 }  // namespace
 
-TEST_CASE("the names of directories become one quoted word each") {
-    CHECK(engine_command("./e {input} {output}", "/a", "/b") == "./e '/a' '/b'");
+TEST_CASE("the names of directories become one word each") {
+    CHECK(engine_command("./e {input} {output}", "/a", "/b") == "./e /a /b");
     CHECK(engine_command("e < {input}/start.xyz > {output}/x", "/a b", "/it's") ==
           "e < '/a b'/start.xyz > '/it'\\''s'/x");
     // What a name holds is not looked at again.
     CHECK(engine_command("e {input} {output}", "/{output}", "/{input}") == "e '/{output}' '/{input}'");
-    CHECK(engine_command("e 'x' \"y\" {input} {input} {output} ${HOME}", "/a", "/b") ==
-          "e 'x' \"y\" '/a' '/a' '/b' ${HOME}");
+    CHECK(engine_command("e 'x' \"y\" {input} {input} {output} ${HOME}", "/a", "/b") == "e 'x' \"y\" /a /a /b ${HOME}");
 }
 
 TEST_CASE("a command that lacks a name or quotes one is refused") {

@@ -57,6 +57,17 @@ TEST_CASE("the newest generations are kept, and found newest first") {
     CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"fourth", "third"});
 }
 
+TEST_CASE("checkpoints are told apart by their hashes") {
+    const auto hash = [](const std::string& text) {
+        const ScratchDirectory folder;
+        CheckpointStore(folder.path(), 2).write(content(text));
+        return find_checkpoints(folder.path()).whole.at(0).hash;
+    };
+    CHECK(hash("first").size() == 16);
+    CHECK(hash("first") == hash("first"));
+    CHECK(hash("first") != hash("firsu"));
+}
+
 TEST_CASE("after going on from the older of two generations, that one is not what is replaced") {
     const ScratchDirectory folder;
     CheckpointStore store(folder.path(), 2);

@@ -115,6 +115,22 @@ TEST_CASE("folders are made and removed") {
     CHECK_FALSE(files::exists(in.path / "a"));
 }
 
+TEST_CASE("a place has one canonical path, however it is reached, and before it exists") {
+    const ScratchDirectory scratch;
+    const fs::path real = fs::canonical(scratch.path()) / "real";
+    fs::create_directory(real);
+    fs::create_directory_symlink("real", scratch.path() / "link");
+    for (const char* way : {"real", "real/", "link", "link/", "link/.", "link/../real", "./real//"}) {
+        CAPTURE(way);
+        CHECK(files::canonical(scratch.path() / way) == real);
+    }
+    CHECK(files::canonical(scratch.path() / "link/out/") == real / "out");
+    CHECK(files::canonical("some") == fs::current_path() / "some");
+    fs::create_symlink("circle", scratch.path() / "circle");
+    CHECK_THAT(file_error([&] { static_cast<void>(files::canonical(scratch.path() / "circle")); }),
+               Contains("cannot find") && Contains("circle"));
+}
+
 TEST_CASE("paths are found without a working directory, where they do not need one") {
     const fs::path before = fs::current_path();
     {

@@ -112,6 +112,9 @@ TEST_CASE("the command line refuses a run of a program, and says how it is resum
                           Contains("of a program in Python, which the command line does not have\n  to go on: "
                                    "ljmd.resume(\"runs/mine\", observables=[fastest, other]) in Python"));
     CHECK(how_to_resume({}, "runs/mine") == "ljmd resume runs/mine");
+    CHECK(how_to_resume({}, "my runs") == "ljmd resume 'my runs'");
+    CHECK(how_to_resume({.by = "Python", .external = "wave"}, "a \"b\"") ==
+          R"(ljmd.resume("a \"b\"", external=wave) in Python)");
     CHECK(how_to_resume({.by = "Python", .potential = parts.potential}, "runs/mine") ==
           "ljmd.resume(\"runs/mine\") in Python");
     CHECK_NOTHROW(resumed_parts({}, {}, "runs/mine"));

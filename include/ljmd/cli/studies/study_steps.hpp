@@ -46,6 +46,9 @@ void run_all(const std::vector<RunLine*>& lines, const OpenDirectory& directory,
 void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines,
              const OpenDirectory& directory, int jobs, const TellRun& tell);
 
+/// wait_for_runs() until a signal comes; what is waited for is told. @throws Interrupted
+void wait_for_writing_runs(const std::filesystem::path& folder);
+
 /// How far the runs of a study are.
 struct Gathered {
     std::vector<bool> finished;  ///< for each line

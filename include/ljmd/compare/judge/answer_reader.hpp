@@ -12,9 +12,10 @@ namespace ljmd {
 /// Whether there is any file of an answer in a directory. @throws FileError
 [[nodiscard]] bool has_answer(const std::filesystem::path& directory);
 
-/// Read what an engine has left in a directory, each file if it is there:
+/// Read what an engine has left in a directory, each file if it is there and its part is judged:
 ///
-///     point.json                          numbers, and forces as [[fx, fy, fz], ...] by id
+///     point.json                          numbers, and forces as [[fx, fy, fz], ...] by id; for all parts the name of
+///                                         the engine, and its degrees of freedom
 ///     point.xyz, .extxyz, .dump, .lammpsdump, .lammpstrj or .h5md     forces, in one frame
 ///     frames.xyz, ...                     frames of the trajectory, with steps, or with times
 ///     thermo.csv                          the table of the run

@@ -45,6 +45,7 @@ struct CheckpointFile {
     std::uint64_t generation = 0;
     std::uint64_t length = 0;  ///< of the content
     std::shared_ptr<std::ifstream> stream;
+    std::string hash;  ///< of head and content, 16 bytes
 
     /// The content, from its beginning. Only one may be read at a time.
     [[nodiscard]] Archive content() const;

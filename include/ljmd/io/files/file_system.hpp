@@ -47,6 +47,10 @@ namespace ljmd::files {
 /// @throws FileError when the working directory no longer exists
 [[nodiscard]] std::filesystem::path absolute(const std::filesystem::path& path);
 
+/// The absolute path without links, '.' and '..', and without a slash at its end, the same for each path that leads to
+/// the place; what does not exist yet stays as it is given. @throws FileError
+[[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path);
+
 /// The target of a link. @throws FileError
 [[nodiscard]] std::filesystem::path read_link(const std::filesystem::path& path);
 
