@@ -1,16 +1,21 @@
-// How a fluid of even density is shared among ranks: for each number of ranks one line of JSON, with the tiles, atoms,
-// ghosts and messages of some of them.
+// How a fluid of even density is shared among ranks: for each number of ranks one line of JSON, with the tiles, and for
+// each of some ranks atoms, ghosts, messages and pairs on its lists.
 //
-//     decomposition ATOMS DENSITY CUTOFF SKIN RANKS...
+//     decomposition [--messages] ATOMS DENSITY CUTOFF SKIN RANKS...
 //
 // No atom is made: the program asks the grid of the neighbour list (ClusterGrid), as it does in a run, which tiles a
-// rank has and what it takes of others. Of more than 24 ranks 24 are asked, evenly spaced.
+// rank has and what it takes of others. Of more than 24 ranks 24 are asked, evenly spaced; with --messages all are, and
+// the "parts" of each are [other rank, atoms whose positions come from it, atoms whose forces go to it].
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <map>
+#include <numbers>
+#include <string_view>
 
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
@@ -33,39 +38,137 @@ class LoneRank : public Ranks {
     [[noreturn]] static void refuse() { std::abort(); }
 };
 
-std::string described(Index atoms, double density, double cutoff, double skin, int ranks) {
-    constexpr int max_asked = 24;
-    const Box box = cubic_box(atoms, density);
-    std::string asked;
-    for (int k = 0; k < std::min(ranks, max_asked); ++k) {
-        const int rank = static_cast<int>(even_share(ranks, k, std::min(ranks, max_asked)).first);
-        ClusterGrid grid;
-        grid.configure(box, cutoff + skin, atoms, std::nullopt, cutoff + 2.0 * skin, LoneRank(rank, ranks));
-        double ghosts = 0.0;
-        const auto parts = grid.halo_parts();
-        for (const ClusterGrid::HaloPart& part : parts) {
-            ghosts += density * part.volume;
+struct Fluid {
+    Index atoms;
+    double density;
+    double cutoff;
+    double skin;
+};
+
+/// Of a column that is cut off between clusters, 0 to 3 atoms more than the volume has are taken, all as often.
+double atoms_in(const ClusterGrid::HaloPart& part, double density) {
+    return density * part.volume + 0.5 * (ClusterGrid::slots - 1) * static_cast<double>(part.cuts);
+}
+
+/// Points a and b, one in each of two tiles, less than `range` apart: the integral over both [sigma^6]; of a tile with
+/// itself each pair once. Over an octant of the ball the integrals of 1, x, xy and xyz are pi R^3/6, pi R^4/16, R^5/15
+/// and R^6/48. @param away  tiles between them along each axis, -1, 0 or 1  @pre no edge of a tile is below the range
+double pair_volume(const Vec3& edges, double range, const std::array<int, 3>& away) {
+    // Along an axis, a distance x leaves edge - x for a pair within a tile, and x for one of neighbours.
+    double sum = 0.0;
+    double octants = 1.0;
+    const double r3 = range * range * range;
+    const std::array<double, 4> integral{std::numbers::pi * r3 / 6.0, std::numbers::pi * r3 * range / 16.0,
+                                         r3 * range * range / 15.0, r3 * r3 / 48.0};
+    for (unsigned axes = 0; axes < 8; ++axes) {  // those whose factor in the product is x rather than the edge
+        double term = 1.0;
+        std::size_t factors = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const bool is_x = (axes >> a & 1U) != 0U;
+            term *= away[a] == 0 ? (is_x ? -1.0 : edges[static_cast<Index>(a)]) : (is_x ? 1.0 : 0.0);
+            factors += is_x ? 1 : 0;
         }
-        asked += fmt::format(R"({}{{"rank": {}, "atoms": {:.1f}, "ghosts": {:.1f}, "messages": {}}})",
-                             k == 0 ? "" : ", ", rank, density * grid.own_volume(), ghosts, parts.size());
-        if (k + 1 == std::min(ranks, max_asked)) {
-            asked += fmt::format(R"(], "tiles": {})", grid.tiles_of_all());
+        sum += term * integral[factors];
+    }
+    for (const int along : away) {
+        octants *= along == 0 ? 2.0 : 1.0;
+    }
+    return (away == std::array{0, 0, 0} ? 0.5 : 1.0) * octants * sum;
+}
+
+/// Pairs on the lists of a rank, by the tile of the second atom.
+struct Pairs {
+    double own = 0.0;
+    double with_ghosts = 0.0;
+};
+
+/// @param tiles  number of tiles here
+Pairs pairs_of(const ClusterGrid& grid, const Box& box, const Fluid& fluid, Index tiles) {
+    const auto& along = grid.tiles_along();
+    const Vec3 edges = box.edges().array() / Eigen::Array3d(along[0], along[1], along[2]);
+    std::map<std::array<int, 3>, Index> here;
+    for (Index tile = grid.first_tile(); tile < grid.first_tile() + tiles; ++tile) {
+        here.emplace(grid.tile_places()[static_cast<std::size_t>(tile)], tile);
+    }
+    Pairs pairs;
+    for (int k = 13; k < 27; ++k) {  // the tile itself, and those towards higher z, y or x, which it has as ghosts
+        const std::array<int, 3> away{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        const double each = fluid.density * fluid.density * pair_volume(edges, fluid.cutoff + fluid.skin, away);
+        for (const auto& [place, tile] : here) {
+            std::array<int, 3> other{};
+            for (std::size_t a = 0; a < 3; ++a) {
+                other[a] = (place[a] + away[a] + along[a]) % along[a];
+            }
+            (here.contains(other) ? pairs.own : pairs.with_ghosts) += each;
         }
     }
-    return fmt::format(R"({{"atoms": {}, "ranks": {}, "asked": [{}}})", atoms, ranks, asked);
+    return pairs;
+}
+
+/// What one rank has, as JSON. @param tiles  becomes the number of tiles of all
+std::string rank_as_json(const Fluid& fluid, int rank, int ranks, bool messages, Index& tiles) {
+    const Box box = cubic_box(fluid.atoms, fluid.density);
+    ClusterGrid grid;
+    grid.configure(box, fluid.cutoff + fluid.skin, fluid.atoms, std::nullopt, fluid.cutoff + 2.0 * fluid.skin,
+                   LoneRank(rank, ranks));
+    tiles = grid.tiles_of_all();
+    struct Exchanged {
+        double positions = 0.0;
+        double forces = 0.0;
+    };
+    std::map<int, Exchanged> others;
+    double ghosts = 0.0;
+    double forces = 0.0;
+    const auto returned = grid.force_parts();
+    for (const ClusterGrid::HaloPart& part : grid.halo_parts()) {
+        ghosts += others[part.rank].positions = atoms_in(part, fluid.density);
+    }
+    for (const ClusterGrid::HaloPart& part : returned) {
+        forces += others[part.rank].forces = atoms_in(part, fluid.density);
+    }
+    const Pairs pairs = pairs_of(grid, box, fluid, even_share(tiles, rank, ranks).count());
+    std::string parts;
+    if (messages) {
+        std::vector<std::string> each;
+        for (const auto& [other, exchanged] : others) {
+            each.push_back(fmt::format("[{}, {:.1f}, {:.1f}]", other, exchanged.positions, exchanged.forces));
+        }
+        parts = fmt::format(R"(, "parts": [{}])", fmt::join(each, ", "));
+    }
+    return fmt::format(
+        R"({{"rank": {}, "atoms": {:.1f}, "ghosts": {:.1f}, "messages": {}, "forces": {:.1f}, "force_messages": {}, )"
+        R"("own_pairs": {:.0f}, "ghost_pairs": {:.0f}{}}})",
+        rank, fluid.density * grid.own_volume(), ghosts, others.size(), forces, returned.size(), pairs.own,
+        pairs.with_ghosts, parts);
+}
+
+std::string decomposition_as_json(const Fluid& fluid, int ranks, bool messages) {
+    constexpr int max_asked = 24;
+    const int count = messages ? ranks : std::min(ranks, max_asked);
+    std::vector<std::string> asked;
+    Index tiles = 0;
+    for (int k = 0; k < count; ++k) {
+        const auto rank = static_cast<int>(even_share(ranks, k, count).first);
+        asked.push_back(rank_as_json(fluid, rank, ranks, messages, tiles));
+    }
+    return fmt::format(R"({{"atoms": {}, "ranks": {}, "asked": [{}], "tiles": {}}})", fluid.atoms, ranks,
+                       fmt::join(asked, ", "), tiles);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 6) {
-        std::fputs("usage: decomposition ATOMS DENSITY CUTOFF SKIN RANKS...\n", stderr);
+    const bool messages = count > 1 && std::string_view(words[1]) == "--messages";
+    const int first = messages ? 2 : 1;
+    if (count < first + 5) {
+        std::fputs("usage: decomposition [--messages] ATOMS DENSITY CUTOFF SKIN RANKS...\n", stderr);
         return 2;
     }
     try {
-        for (int k = 5; k < count; ++k) {
-            fmt::print("{}\n", described(std::stoll(words[1]), std::stod(words[2]), std::stod(words[3]),
-                                         std::stod(words[4]), std::stoi(words[k])));
+        const Fluid fluid{std::stoll(words[first]), std::stod(words[first + 1]), std::stod(words[first + 2]),
+                          std::stod(words[first + 3])};
+        for (int k = first + 4; k < count; ++k) {
+            fmt::print("{}\n", decomposition_as_json(fluid, std::stoi(words[k]), messages));
         }
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());

@@ -63,14 +63,18 @@ class ClusterGrid {
     /// @throws InputError when there are more atoms than can be counted
     void sort(State& state, State* companion = nullptr);
 
-    /// What the halo takes of another rank: columns, and their volume [sigma^3].
+    /// What concerns another rank: columns, and their volume [sigma^3].
     struct HaloPart {
         int rank;
         Index columns;
         double volume;
+        Index cuts;  ///< ends of columns that are cut off between clusters: up to three atoms more than the volume has
     };
-    /// By rank, those alone from which something is taken. @pre configured
+    /// What the halo takes of others, by rank; only ranks of which it takes something. @pre configured
     [[nodiscard]] std::vector<HaloPart> halo_parts() const;
+    /// What of others the tiles here have as ghosts, and so find forces for, by rank. A column counts once for each
+    /// tile. @pre configured
+    [[nodiscard]] std::vector<HaloPart> force_parts() const;
     /// Volume of the tiles here [sigma^3]. @pre configured
     [[nodiscard]] double own_volume() const;
 
@@ -83,6 +87,9 @@ class ClusterGrid {
 
     /// Number of the first tile here among those of all ranks.
     [[nodiscard]] Index first_tile() const { return first_tile_; }
+    /// Number of tiles along x, y and z, and where among them each tile of all ranks lies.
+    [[nodiscard]] const std::array<int, 3>& tiles_along() const { return tiles_along_; }
+    [[nodiscard]] std::span<const std::array<int, 3>> tile_places() const { return tile_cells_; }
 
     /// Place of a cluster of the halo at its own rank.
     struct Abroad {
@@ -225,6 +232,15 @@ class ClusterGrid {
     void put_in_order(State& state, State* companion);
     void make_clusters(const State& state);
     [[nodiscard]] double gap2(int cells, std::size_t axis) const;
+    /// A column, seen from a tile.
+    struct Seen {
+        Cell wrapped;  ///< of the column in the box
+        Vec3 shift;    ///< from there: whole box edges [sigma]
+        int side;      ///< where the column's tile lies, seen from this one: -1, 0 (same tile) or 1
+        bool in_range;
+    };
+    /// @param first  lowest column of the tile  @param cell  that of the column, perhaps outside the box
+    [[nodiscard]] Seen seen_from(const Cell& first, const Cell& cell) const;
     [[nodiscard]] Run ghosts_of_column(std::int32_t column, double shift, double low, double high) const;
 
     double range_ = 0.0;
