@@ -4,8 +4,9 @@
 //     decomposition [--messages] ATOMS DENSITY CUTOFF SKIN RANKS...
 //
 // No atom is made: the program asks the grid of the neighbour list (ClusterGrid), as it does in a run, which tiles a
-// rank has and what it takes of others. Of more than 24 ranks 24 are asked, evenly spaced; with --messages all are, and
-// the "parts" of each are [other rank, atoms whose positions come from it, atoms whose forces go to it].
+// rank has and what it takes of others. Of more than 24 ranks with the most tiles, for which a run waits, 24 are asked,
+// evenly spaced; with --messages all ranks are, and the "parts" of each are [other rank, atoms whose positions come
+// from it, atoms whose forces go to it].
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -83,9 +84,10 @@ struct Pairs {
 };
 
 /// @param tiles  number of tiles here
-Pairs pairs_of(const ClusterGrid& grid, const Box& box, const Fluid& fluid, Index tiles) {
+Pairs pairs_of(const ClusterGrid& grid, const Fluid& fluid, Index tiles) {
     const auto& along = grid.tiles_along();
-    const Vec3 edges = box.edges().array() / Eigen::Array3d(along[0], along[1], along[2]);
+    const Vec3 edges =
+        cubic_box(fluid.atoms, fluid.density).edges().array() / Eigen::Array3d(along[0], along[1], along[2]);
     std::map<std::array<int, 3>, Index> here;
     for (Index tile = grid.first_tile(); tile < grid.first_tile() + tiles; ++tile) {
         here.emplace(grid.tile_places()[static_cast<std::size_t>(tile)], tile);
@@ -105,13 +107,16 @@ Pairs pairs_of(const ClusterGrid& grid, const Box& box, const Fluid& fluid, Inde
     return pairs;
 }
 
-/// What one rank has, as JSON. @param tiles  becomes the number of tiles of all
-std::string rank_as_json(const Fluid& fluid, int rank, int ranks, bool messages, Index& tiles) {
-    const Box box = cubic_box(fluid.atoms, fluid.density);
+ClusterGrid grid_of(const Fluid& fluid, int rank, int ranks) {
     ClusterGrid grid;
-    grid.configure(box, fluid.cutoff + fluid.skin, fluid.atoms, std::nullopt, fluid.cutoff + 2.0 * fluid.skin,
-                   LoneRank(rank, ranks));
-    tiles = grid.tiles_of_all();
+    grid.configure(cubic_box(fluid.atoms, fluid.density), fluid.cutoff + fluid.skin, fluid.atoms, std::nullopt,
+                   fluid.cutoff + 2.0 * fluid.skin, LoneRank(rank, ranks));
+    return grid;
+}
+
+/// What one rank has, as JSON.
+std::string rank_as_json(const Fluid& fluid, int rank, int ranks, bool messages) {
+    const ClusterGrid grid = grid_of(fluid, rank, ranks);
     struct Exchanged {
         double positions = 0.0;
         double forces = 0.0;
@@ -126,7 +131,7 @@ std::string rank_as_json(const Fluid& fluid, int rank, int ranks, bool messages,
     for (const ClusterGrid::HaloPart& part : returned) {
         forces += others[part.rank].forces = atoms_in(part, fluid.density);
     }
-    const Pairs pairs = pairs_of(grid, box, fluid, even_share(tiles, rank, ranks).count());
+    const Pairs pairs = pairs_of(grid, fluid, even_share(grid.tiles_of_all(), rank, ranks).count());
     std::string parts;
     if (messages) {
         std::vector<std::string> each;
@@ -143,13 +148,19 @@ std::string rank_as_json(const Fluid& fluid, int rank, int ranks, bool messages,
 }
 
 std::string decomposition_as_json(const Fluid& fluid, int ranks, bool messages) {
-    constexpr int max_asked = 24;
-    const int count = messages ? ranks : std::min(ranks, max_asked);
+    constexpr std::size_t max_asked = 24;
+    const Index tiles = grid_of(fluid, 0, 1).tiles_of_all();
+    const Index most = (tiles + ranks - 1) / ranks;
+    std::vector<int> candidates;
+    for (int rank = 0; rank < ranks; ++rank) {
+        if (messages || even_share(tiles, rank, ranks).count() == most) {
+            candidates.push_back(rank);
+        }
+    }
+    const std::size_t count = messages ? candidates.size() : std::min(candidates.size(), max_asked);
     std::vector<std::string> asked;
-    Index tiles = 0;
-    for (int k = 0; k < count; ++k) {
-        const auto rank = static_cast<int>(even_share(ranks, k, count).first);
-        asked.push_back(rank_as_json(fluid, rank, ranks, messages, tiles));
+    for (std::size_t k = 0; k < count; ++k) {
+        asked.push_back(rank_as_json(fluid, candidates[candidates.size() * k / count], ranks, messages));
     }
     return fmt::format(R"({{"atoms": {}, "ranks": {}, "asked": [{}], "tiles": {}}})", fluid.atoms, ranks,
                        fmt::join(asked, ", "), tiles);
