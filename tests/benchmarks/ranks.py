@@ -237,7 +237,7 @@ def draw(record: dict[str, Any]) -> plt.Figure:
     for k, atoms in enumerate(SIZES):
         found = [modelled(one, cost) for one in record["decompositions"] if one["atoms"] == atoms]
         efficiency.plot([one["ranks"] for one in found], [one["efficiency"] for one in found], "os"[k] + "-", markersize=4, color=style.colour(k),
-                        label=f"{atoms:,} atoms, on paper".replace(",", " "))
+                        label=f"{atoms:,}".replace(",", " ") + " atoms, on paper")
         for network, marker in zip(replay.NETWORKS, "xD"):
             places = [(one["ranks"], one["efficiency"]) for one in record["simulations"] if (one["atoms"], one["network"]) == (atoms, network)]
             if places:
