@@ -168,10 +168,6 @@ int ClusterGrid::boxes_away(int cell, std::size_t axis) const {
     return floor_of(static_cast<double>(cell) / cells_[axis]);
 }
 
-int ClusterGrid::cells_from_tile(int cell, int first, std::size_t axis) const {
-    return std::min(0, cell - first) + std::max(0, cell - first - columns_per_tile_[axis] + 1);
-}
-
 ClusterGrid::Run ClusterGrid::columns(std::size_t tile) const {
     const auto first = static_cast<std::int32_t>(tile) * columns_per_tile();
     return {first, first + columns_per_tile()};
@@ -292,6 +288,22 @@ ClusterGrid::Run ClusterGrid::ghosts_of_column(std::int32_t column, double shift
     return run;
 }
 
+ClusterGrid::Seen ClusterGrid::seen_from(const Cell& first, const Cell& cell, double range) const {
+    Seen seen{{}, Vec3::Zero(), 0, false};
+    double left2 = range * range;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const int boxes = boxes_away(cell[a], a);
+        seen.wrapped[a] = cell[a] - boxes * cells_[a];
+        seen.shift[static_cast<Index>(a)] = boxes * edges_[static_cast<Index>(a)];
+        const int before = std::min(0, cell[a] - first[a]);
+        const int behind = std::max(0, cell[a] - first[a] - columns_per_tile_[a] + 1);
+        seen.side = before < 0 ? -1 : behind > 0 ? 1 : seen.side;
+        left2 -= gap2(before + behind, a);
+    }
+    seen.in_range = left2 >= 0.0;
+    return seen;
+}
+
 ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
     Neighborhood around;
     around.own_ = tiles_[tile];
@@ -306,18 +318,7 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
     for (cell[2] = corner[2]; cell[2] < corner[2] + cells[2]; ++cell[2]) {
         for (cell[1] = corner[1]; cell[1] < corner[1] + cells[1]; ++cell[1]) {
             for (cell[0] = corner[0]; cell[0] < corner[0] + cells[0]; ++cell[0]) {
-                Cell wrapped{};
-                Vec3 shift;
-                int side = 0;  // where the column's tile lies, seen from this one: below 0, 0 (same tile) or above
-                double left2 = range_ * range_;
-                for (std::size_t a = 0; a < 3; ++a) {
-                    const int boxes = boxes_away(cell[a], a);
-                    wrapped[a] = cell[a] - boxes * cells_[a];
-                    shift[static_cast<Index>(a)] = boxes * edges_[static_cast<Index>(a)];
-                    const int from_tile = cells_from_tile(cell[a], first[a], a);
-                    side = from_tile != 0 ? from_tile : side;
-                    left2 -= gap2(from_tile, a);
-                }
+                const auto [wrapped, shift, side, in_range] = seen_from(first, cell, range_);
                 Column column;
                 column.column = column_at(wrapped);
                 column.floor = cell[2] * height_;
@@ -327,7 +328,7 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
                 if (side == 0) {
                     column.run = clusters_of_column(column.column);
                     column.offset = -around.own_.first;
-                } else if (side > 0 && left2 >= 0.0) {
+                } else if (side > 0 && in_range) {
                     const double floor = first[2] * height_;
                     column.run = ghosts_of_column(column.column, shift[2], floor - range_, floor + height_ + range_);
                     column.offset = around.count_ - column.run.first;

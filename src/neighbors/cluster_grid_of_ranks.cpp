@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -41,6 +42,13 @@ std::vector<Index> first_tiles(const std::vector<std::int64_t>& work, Index tile
     return first;
 }
 
+/// Add the part of a column between two heights over its lowest z.
+void add_column(ClusterGrid::HaloPart& to, double area, double low, double high, double height) {
+    to.columns += 1;
+    to.volume += area * std::max(0.0, std::min(high, height) - std::max(low, 0.0));
+    to.cuts += (low > 0.0 ? 1 : 0) + (high < height ? 1 : 0);
+}
+
 }  // namespace
 
 void ClusterGrid::share_tiles(const Ranks& ranks, double halo) {
@@ -77,17 +85,9 @@ void ClusterGrid::add_halo_of_tile(std::int32_t tile, double halo, std::vector<H
         const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over that of the column
         for (cell[1] = first[1] - reach[1]; cell[1] < first[1] + columns_per_tile_[1] + reach[1]; ++cell[1]) {
             for (cell[0] = first[0] - reach[0]; cell[0] < first[0] + columns_per_tile_[0] + reach[0]; ++cell[0]) {
-                Cell wrapped{};
-                int side = 0;
-                double gap2_aside = 0.0;
-                for (std::size_t a = 0; a < 3; ++a) {
-                    wrapped[a] = cell[a] - boxes_away(cell[a], a) * cells_[a];
-                    const int from_tile = cells_from_tile(cell[a], first[a], a);
-                    side = from_tile != 0 ? from_tile : side;
-                    gap2_aside += a == 2 ? 0.0 : gap2(from_tile, a);
-                }
-                if (side >= 0 && gap2_aside <= halo * halo) {
-                    Heights& of_column = near[static_cast<std::size_t>(column_of_all(place_of(wrapped)))];
+                const Seen seen = seen_from(first, cell, halo);
+                if (seen.side >= 0 && seen.in_range) {
+                    Heights& of_column = near[static_cast<std::size_t>(column_of_all(place_of(seen.wrapped)))];
                     of_column.low = std::min(of_column.low, above - halo);
                     of_column.high = std::max(of_column.high, above + height_ + halo);
                 }
@@ -124,11 +124,39 @@ std::vector<ClusterGrid::HaloPart> ClusterGrid::halo_parts() const {
     for (std::size_t k = 0; k < halo_columns_.size(); ++k) {
         const int rank = rank_of(halo_columns_[k]);
         if (parts.empty() || parts.back().rank != rank) {
-            parts.push_back({rank, 0, 0.0});
+            parts.push_back({rank, 0, 0.0, 0});
         }
-        const double height = std::min(halo_heights_[k].high, height_) - std::max(halo_heights_[k].low, 0.0);
-        parts.back().columns += 1;
-        parts.back().volume += area * std::max(0.0, height);
+        add_column(parts.back(), area, halo_heights_[k].low, halo_heights_[k].high, height_);
+    }
+    return parts;
+}
+
+std::vector<ClusterGrid::HaloPart> ClusterGrid::force_parts() const {
+    std::map<int, HaloPart> of_ranks;
+    const double area = 1.0 / (inverse_width_[0] * inverse_width_[1]);
+    Cell cell{};
+    for (std::int32_t column = 0; column < own_column_count(); column += columns_per_tile()) {
+        const Cell first = cell_of(column);
+        for (cell[2] = first[2]; cell[2] <= first[2] + reach_[2]; ++cell[2]) {
+            const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over that of the column
+            for (cell[1] = first[1] - reach_[1]; cell[1] < first[1] + columns_per_tile_[1] + reach_[1]; ++cell[1]) {
+                for (cell[0] = first[0] - reach_[0]; cell[0] < first[0] + columns_per_tile_[0] + reach_[0]; ++cell[0]) {
+                    const Seen seen = seen_from(first, cell, range_);
+                    const std::int32_t of_all = column_of_all(place_of(seen.wrapped));
+                    const bool own = own_columns_.first <= of_all && of_all < own_columns_.last;
+                    if (seen.side <= 0 || !seen.in_range || own) {
+                        continue;
+                    }
+                    HaloPart& part =
+                        of_ranks.try_emplace(rank_of(of_all), HaloPart{rank_of(of_all), 0, 0.0, 0}).first->second;
+                    add_column(part, area, above - range_, above + height_ + range_, height_);
+                }
+            }
+        }
+    }
+    std::vector<HaloPart> parts;
+    for (const auto& [rank, part] : of_ranks) {
+        parts.push_back(part);
     }
     return parts;
 }

@@ -25,8 +25,10 @@ import lammps_program  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import numpy as np  # noqa: E402
+import rank_model  # noqa: E402
 import ranks  # noqa: E402
 import ratios  # noqa: E402
+import replay  # noqa: E402
 import report  # noqa: E402
 import roofline  # noqa: E402
 import scaling  # noqa: E402
@@ -406,25 +408,73 @@ def test_systems_of_scaling(tmp: Path) -> None:
     assert f"0.0 {start.edges.tolist()[2]!r} zlo zhi" in (tmp / "half-empty-along-z.data").read_text()
 
 
+def rank_of(number: int, atoms: float, ghosts: float = 0.0, messages: int = 0, forces: float = 0.0, force_messages: int = 0,
+            **more: Any) -> dict[str, Any]:
+    """As the program `decomposition` tells it."""
+    return {"rank": number, "atoms": atoms, "ghosts": ghosts, "messages": messages, "forces": forces, "force_messages": force_messages, **more}
+
+
 def test_model_of_ranks(tmp: Path) -> None:
     """The slowest rank counts; one rank alone has nothing but its atoms."""
-    asked = [{"rank": 0, "atoms": 1000.0, "ghosts": 0.0, "messages": 0}]
-    alone = ranks.modelled({"atoms": 1000, "ranks": 1, "asked": asked, "tiles": 2}, 1e-7)
+    alone = rank_model.modelled({"atoms": 1000, "ranks": 1, "asked": [rank_of(0, 1000.0)], "tiles": 2}, 1e-7)
     assert alone["efficiency"] == 1.0 and abs(alone["terms"]["computing"] - 1e-4) < 1e-18, alone
-    asked = [{"rank": 0, "atoms": 500.0, "ghosts": 1000.0, "messages": 3}, {"rank": 9, "atoms": 600.0, "ghosts": 2000.0, "messages": 5}]
-    many = ranks.modelled({"atoms": 8000, "ranks": 16, "asked": asked, "tiles": 16}, 1e-7)
-    step = 6e-5 + 2 * 5 * ranks.LATENCY + 44 * 2000 / ranks.BANDWIDTH + 2 * ranks.LATENCY * 4
+    asked = [rank_of(0, 500.0, 1000.0, 3, 700.0, 3), rank_of(9, 600.0, 2000.0, 5, 900.0, 2)]
+    many = rank_model.modelled({"atoms": 8000, "ranks": 16, "asked": asked, "tiles": 16}, 1e-7)
+    step = 6e-5 + (5 + 2) * rank_model.LATENCY + (32 * 2000 + 24 * 900) / rank_model.BANDWIDTH + 2 * rank_model.LATENCY * 4
     assert many["slowest"]["rank"] == 9 and abs(many["efficiency"] - 1e-7 * 500 / step) < 1e-12, many
     rounds = [{"program": "ljmd", "round": k, "alone": 1e7, "shared": 1.8e7 + k, "parts": 2e7} for k in range(3)]
+    simulated = {"atoms": rank_model.SIZES[0], "ranks": 16, "network": "tree", "steps": 3, "step": 1e-3, "efficiency": 0.777, "on_paper": 0.7,
+                 "simulator": {"seconds": 1.0, "mebibytes": 30.0}}
     record = {"schema": ranks.SCHEMA, "version": ranks.VERSION, "date": "2026", "host": machine.describe(), "rounds": rounds,
-              "options": {"cells": 8, "ranks": 2, "steps": 10, "repeats": 3, "policy": "fixed"},
-              "decompositions": [{"atoms": atoms, "ranks": 16, "asked": asked, "tiles": 16} for atoms in ranks.SIZES]}
+              "options": {"cells": 8, "ranks": 2, "steps": 10, "repeats": 3, "policy": "fixed", "cost": None}, "simulations": [simulated],
+              "decompositions": [{"atoms": atoms, "ranks": 16, "asked": asked, "tiles": 16} for atoms in rank_model.SIZES]}
     (tmp / "ranks.json").write_text(json.dumps(record))
     assert run("ranks.py", os.environ["PATH"], "--redraw", tmp).returncode == 0
-    assert png_size(tmp / "ranks.png") > (500, 200) and "0.900 (0.900 .. 0.900)" in (tmp / "ranks.md").read_text()
+    page = (tmp / "ranks.md").read_text()
+    assert png_size(tmp / "ranks.png") > (500, 200) and "0.900 (0.900 .. 0.900)" in page and "with 100 ns" in page and "0.777" in page
+    record["rounds"], record["options"]["cost"] = [], 50.0
+    (tmp / "ranks.json").write_text(json.dumps(record))
+    assert run("ranks.py", os.environ["PATH"], "--redraw", tmp).returncode == 0
+    assert "with 50 ns" in (tmp / "ranks.md").read_text()
     (tmp / "ranks.json").write_text('{"schema": "something"}')
     assert run("ranks.py", os.environ["PATH"], "--redraw", tmp).returncode == 3
     assert run("ranks.py", os.environ["PATH"], "--cells", "7").returncode == 2
+    missing = run("ranks.py", tmp, "--simulate", "8", "--decomposition", tmp)
+    assert missing.returncode == 2 and "libsimgrid-dev" in missing.stderr
+
+
+def test_traces_of_ranks(tmp: Path) -> None:
+    """What one rank sends, another one expects, as many bytes; positions go out before the forces, which come back."""
+    asked = [rank_of(0, 500.0, parts=[[1, 100.0, 40.0]]), rank_of(1, 300.0, parts=[[0, 90.0, 0.0], [2, 10.0, 5.0]]),
+             rank_of(2, 200.0, parts=[[1, 20.0, 0.0]])]
+    traces = replay.write_traces({"atoms": 1000, "ranks": 3, "asked": asked}, 1e-7, 2, tmp)
+    texts = [Path(name).read_text().splitlines() for name in traces.read_text().split()]
+    step = ["0 irecv 1 0 3200 6", "0 isend 1 0 2880 6", "0 waitall", "0 allreduce 1 0 0", "0 compute 50000", "0 isend 1 0 960 6",
+            "0 waitall", "0 allreduce 1 0 0"]
+    assert texts[0] == ["0 init", *step, *step, "0 finalize"], texts[0]
+    words = [line.split() for text in texts for line in text]
+    sent = sorted((word[0], *word[2:]) for word in words if word[1] == "isend")
+    received = sorted((word[2], word[0], *word[3:]) for word in words if word[1] == "irecv")
+    assert sent == received and len(sent) == 2 * 6, sent
+
+
+def test_simulated_networks(tmp: Path) -> None:
+    """A host for each rank, or for 16 with a tree of switches above them that has room for all."""
+    platform, hosts = replay.write_platform("links", 40, tmp)
+    assert 'radical="0-39"' in platform.read_text() and hosts.read_text().split()[-1] == "host39"
+    platform, hosts = replay.write_platform("tree", 300, tmp)
+    assert 'radical="0-31"' in platform.read_text() and 'topo_parameters="2;16,2;1,8;1,1"' in platform.read_text()
+    places = hosts.read_text().split()
+    assert len(places) == 300 and places[15] == "host0" and places[16] == "host1" and places[-1] == "host18"
+    smpirun = write_program(tmp / "smpirun", "#!{python}\nprint('[host2:2:(3) 0.000600] [smpi_replay/INFO] Simulation time 0.000600')\n")
+    before, os.environ["PATH"] = os.environ["PATH"], str(smpirun.parent)
+    try:
+        one = replay.simulated({"atoms": 1000, "ranks": 2, "asked": [rank_of(k, 500.0, parts=[]) for k in range(2)]}, 1e-7, "links", tmp)
+        write_program(smpirun, "#!{python}\nraise SystemExit('no such thing')\n")
+        failed(lambda: replay.simulated({"atoms": 1, "ranks": 1, "asked": [rank_of(0, 1.0, parts=[])]}, 1e-7, "links", tmp), "no such thing")
+    finally:
+        os.environ["PATH"] = before
+    assert abs(one["step"] - 2e-4) < 1e-12 and abs(one["efficiency"] - 0.25) < 1e-12, one
 
 
 def test_line_of_cost(tmp: Path) -> None:

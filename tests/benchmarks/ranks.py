@@ -1,22 +1,16 @@
 #!/usr/bin/env python3
 """Runs that MPI processes share: their rate beside that of independent runs, and a model of many ranks.
 
-    ranks.py --ljmd PATH [--cells 40] [--ranks 2] [--steps 500] [--repeats 5] [--decomposition PATH] [--out DIR] [--quick]
+    ranks.py --ljmd PATH [--cells 40] [--ranks 2] [--steps 500] [--repeats 5] [--decomposition PATH] [--simulate RANKS]
+             [--cost NANOSECONDS] [--out DIR] [--quick]
     ranks.py --redraw DIR        page and figure anew from DIR/ranks.json
 
 Measured, interleaved in every round: one process; P processes that share a run; P independent runs, each of a P-th of
 the atoms, at once; the same two of LAMMPS (lj/cut/opt) where it is installed. The ratio of the shared rate to that of
 the independent runs says what sharing costs, whatever the machine's cores do to each other. Files are left out.
 
-The model: a step of a rank takes
-
-    T = c n + 2 m L + (32 g + 24 g/2)/B + 2 L log2 P
-
-for n atoms and g ghosts of m other ranks. c is measured here, in a box that no cache holds; L, the latency of a message,
-and B, the bandwidth of a rank, are assumed (LATENCY, BANDWIDTH), and nothing is hidden behind computing. Positions go
-out with 32 bytes for each ghost, forces come back with 24 for half of them, and two numbers are agreed on: whether the
-list is still good, and whether a checkpoint is due. n, g and m are those of the program's own grid (the program
-`decomposition`), for the rank of those asked whose step takes longest: a run waits for it.
+The model is that of rank_model.py, on paper, with the cost of an atom as measured here, in a box that no cache holds, or
+as given by --cost, which measures nothing. --simulate has SimGrid simulate steps of up to so many ranks (replay.py).
 
 Writes DIR/ranks.json, DIR/ranks.md and DIR/ranks.png (DIR: runs/ranks by default).
 Exit codes: 0 ok, 1 a program failed, 2 usage, 3 a record cannot be read, 4 a file cannot be written.
@@ -27,7 +21,6 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
-import math
 import os
 import re
 import shutil
@@ -45,19 +38,17 @@ import command_line  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import report  # noqa: E402
+import replay  # noqa: E402
 import style  # noqa: E402
 import workload  # noqa: E402
 from programs import ProgramFailed  # noqa: E402
+from rank_model import BANDWIDTH, LATENCY, RANKS, SIZES, counted, modelled  # noqa: E402
 from ljmd.errors import FileError  # noqa: E402
 from ljmd.reading.files import damaged, read_json  # noqa: E402
 from style import plt  # noqa: E402
 
 SCHEMA = "ljmd-ranks"
-VERSION = 1
-LATENCY = 1.5e-6  # seconds, of a message between computers on InfiniBand or the like
-BANDWIDTH = 2e9  # bytes/s of a rank, when all ranks of a computer share its link
-RANKS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096, 10_000, 30_000, 100_000)
-SIZES = (1_000_000, 100_000_000)  # atoms of the model's runs
+VERSION = 2
 LAMMPS_INPUT = """units lj
 atom_style atomic
 lattice fcc {density}
@@ -85,8 +76,12 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--steps", type=int)
     parser.add_argument("--decomposition", type=Path, help="the program that asks the grid (build/dev/tests/benchmarks/decomposition); "
                                                            "none: no model")
+    parser.add_argument("--simulate", type=int, default=0, metavar="RANKS", help="simulate runs of up to so many ranks, by SimGrid")
+    parser.add_argument("--cost", type=float, metavar="NANOSECONDS", help="of an atom and step, for the model; then nothing is measured")
     options = command_line.parse(parser, arguments, full={"cells": 40, "steps": 500, "repeats": 5, "seconds": 0.0},
                                  quick={"cells": 20, "steps": 40, "repeats": 1, "seconds": 0.0})
+    if options.simulate and (not options.decomposition or not replay.installed()):
+        parser.error("--simulate needs --decomposition, and SimGrid's smpirun (Debian: libsimgrid-dev)")
     if options.ranks < 2 or options.cells < 6 or options.cells % options.ranks != 0 or options.steps < 1 or options.repeats < 1:
         parser.error("--ranks must be above 1, --cells a multiple of it and at least 6, --steps and --repeats above 0")
     return options
@@ -175,37 +170,28 @@ def measure(options: argparse.Namespace, folder: Path) -> list[dict[str, Any]]:
     return found
 
 
-def decompositions(program: Path) -> list[dict[str, Any]]:
-    """Of every size, those that give a rank a tile at least."""
+def simulations(program: Path, cost: float, largest: int) -> list[dict[str, Any]]:
+    """Steps on each network, with the model's result for the same ranks, all of which are asked."""
     found = []
-    for atoms in SIZES:
-        done = subprocess.run([str(program), str(atoms), str(workload.DENSITY), str(workload.CUTOFF), str(workload.SKIN), *map(str, RANKS)],
-                              capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise ProgramFailed(f"{program.name}: exit code {done.returncode}: {done.stderr.strip()}")
-        found += [one for one in map(json.loads, done.stdout.splitlines()) if one["tiles"] >= one["ranks"]]
+    for atoms, ranks in replay.RUNS:
+        if ranks > largest:
+            continue
+        decomposition = counted(program, atoms, [ranks], "--messages")[0]
+        on_paper = modelled(decomposition, cost)["efficiency"]
+        for network in replay.NETWORKS:
+            if ranks > replay.LARGEST[network]:
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                found.append({**replay.simulated(decomposition, cost, network, Path(folder)), "on_paper": on_paper})
+            print(f"simulated: {atoms:.0e} atoms, {ranks} ranks, {network}: {found[-1]['efficiency']:.3f}, {found[-1]['simulator']}",
+                  file=sys.stderr, flush=True)
     return found
-
-
-def seconds(rank: dict[str, float], ranks: int, cost: float) -> dict[str, float]:
-    """The terms of the model."""
-    return {"computing": cost * rank["atoms"],
-            "latency": 2 * rank["messages"] * LATENCY if ranks > 1 else 0.0,
-            "bytes": (32 + 12) * rank["ghosts"] / BANDWIDTH,
-            "decisions": 2 * LATENCY * math.log2(ranks)}
-
-
-def modelled(decomposition: dict[str, Any], cost: float) -> dict[str, Any]:
-    """The slowest rank, and which part of the ideal rate it leaves."""
-    ranks = decomposition["ranks"]
-    slowest = max(decomposition["asked"], key=lambda rank: sum(seconds(rank, ranks, cost).values()))
-    terms = seconds(slowest, ranks, cost)
-    return {"atoms": decomposition["atoms"], "ranks": ranks, "slowest": slowest, "terms": terms,
-            "efficiency": cost * decomposition["atoms"] / ranks / sum(terms.values())}
 
 
 def cost_of(record: dict[str, Any]) -> float:
     """Seconds for an atom and step of one process."""
+    if record["options"]["cost"] is not None:
+        return 1e-9 * record["options"]["cost"]
     return 1.0 / median(one["alone"] for one in record["rounds"] if one["program"] == "ljmd")
 
 
@@ -218,10 +204,11 @@ def markdown(record: dict[str, Any]) -> str:
         rows.append([name, *(f"{median(one[key] for one in rounds) / 1e6:.2f}" for key in ("alone", "shared", "parts")),
                      f"{median(ratios):.3f} ({ratios[0]:.3f} .. {ratios[-1]:.3f})",
                      f"{median(one['shared'] / one['alone'] for one in rounds):.2f}"])
-    lines = ["# Runs that ranks share", "",
-             f"{record['date']}, {host['cpu']}, {host['cores']} cores. {4 * options['cells']**3} atoms, {options['ranks']} ranks, "
-             f"{options['steps']} steps, lists {options['policy']}, medians of {options['repeats']} rounds, M atom-steps/s.", "",
-             *report.table(["program", "one process", "shared", "independent parts", "shared / parts", "shared / one process"], rows)]
+    lines = ["# Runs that ranks share"]
+    if rows:
+        lines += ["", f"{record['date']}, {host['cpu']}, {host['cores']} cores. {4 * options['cells']**3} atoms, {options['ranks']} ranks, "
+                  f"{options['steps']} steps, lists {options['policy']}, medians of {options['repeats']} rounds, M atom-steps/s.", "",
+                  *report.table(["program", "one process", "shared", "independent parts", "shared / parts", "shared / one process"], rows)]
     if record["decompositions"]:
         cost = cost_of(record)
         rows = []
@@ -229,10 +216,16 @@ def markdown(record: dict[str, Any]) -> str:
             one = modelled(decomposition, cost)
             terms = one["terms"]
             rows.append([f"{one['atoms']:.0e}", one["ranks"], f"{one['slowest']['atoms']:.0f}", f"{one['slowest']['ghosts']:.0f}",
-                         one["slowest"]["messages"], *(f"{1e6 * terms[key]:.1f}" for key in terms), f"{one['efficiency']:.2f}"])
+                         f"{one['slowest']['forces']:.0f}", one["slowest"]["messages"], *(f"{1e6 * terms[key]:.1f}" for key in terms), f"{one['efficiency']:.2f}"])
         lines += ["", f"The model, with {1e9 * cost:.0f} ns an atom and step, messages of {1e6 * LATENCY:.1f} us and {BANDWIDTH / 1e9:.0f} GB/s:", "",
-                  *report.table(["atoms", "ranks", "atoms of a rank", "ghosts", "other ranks", "computing [us]", "latency [us]", "bytes [us]",
+                  *report.table(["atoms", "ranks", "atoms of a rank", "ghosts", "forces", "other ranks", "computing [us]", "latency [us]", "bytes [us]",
                                  "decisions [us]", "efficiency"], [[str(cell) for cell in row] for row in rows])]
+    if record["simulations"]:
+        rows = [[f"{one['atoms']:.2g}", one["ranks"], one["network"], f"{1e6 * one['step']:.0f}", f"{one['efficiency']:.3f}",
+                 f"{one['on_paper']:.3f}", f"{one['simulator']['seconds']:.1f}", f"{one['simulator']['mebibytes']:.0f}"]
+                for one in record["simulations"]]
+        lines += ["", "Simulated:", "", *report.table(["atoms", "ranks", "network", "a step [us]", "efficiency", "on paper", "simulator [s]",
+                                                     "simulator [MiB]"], [[str(cell) for cell in row] for row in rows])]
     return "\n".join(lines) + "\n"
 
 
@@ -244,7 +237,11 @@ def draw(record: dict[str, Any]) -> plt.Figure:
     for k, atoms in enumerate(SIZES):
         found = [modelled(one, cost) for one in record["decompositions"] if one["atoms"] == atoms]
         efficiency.plot([one["ranks"] for one in found], [one["efficiency"] for one in found], "os"[k] + "-", markersize=4, color=style.colour(k),
-                        label=f"{atoms:,} atoms".replace(",", " "))
+                        label=f"{atoms:,}".replace(",", " ") + " atoms, on paper")
+        for network, marker in zip(replay.NETWORKS, "xD"):
+            places = [(one["ranks"], one["efficiency"]) for one in record["simulations"] if (one["atoms"], one["network"]) == (atoms, network)]
+            if places:
+                efficiency.plot(*zip(*places), marker, markersize=7, fillstyle="none", color=style.colour(k), label=f"simulated, {network}")
     efficiency.set(xscale="log", xlabel="ranks", ylabel="part of the ideal rate", ylim=(0.0, 1.05))
     efficiency.legend()
     for k, name in enumerate(("computing", "latency", "bytes", "decisions")):
@@ -281,15 +278,21 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         write(record, options.redraw)
         return 0
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            rounds = measure(options, Path(folder))
-        counted = decompositions(options.decomposition.resolve()) if options.decomposition else []
+        record: dict[str, Any] = {
+            "schema": SCHEMA, "version": VERSION, "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
+            "host": machine.describe(), "rounds": [], "decompositions": [], "simulations": [],
+            "options": {key: getattr(options, key) for key in ("cells", "ranks", "steps", "repeats", "policy", "cost")}}
+        if options.cost is None:
+            with tempfile.TemporaryDirectory() as folder:
+                record["rounds"] = measure(options, Path(folder))
+        if options.decomposition:
+            program = options.decomposition.resolve()
+            record["decompositions"] = [one for atoms in SIZES for one in counted(program, atoms, RANKS)]
+            record["simulations"] = simulations(program, cost_of(record), options.simulate)
     except (ProgramFailed, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    write({"schema": SCHEMA, "version": VERSION, "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
-           "host": machine.describe(), "options": {key: getattr(options, key) for key in ("cells", "ranks", "steps", "repeats", "policy")},
-           "rounds": rounds, "decompositions": counted}, options.out)
+    write(record, options.out)
     print(markdown(read(options.out / "ranks.json")))
     return 0
 

@@ -12,6 +12,8 @@
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/model/checksum.hpp"
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
 
 using namespace ljmd;
 
@@ -90,6 +92,18 @@ FluidSpec liquid(Index cells) {
     return spec;
 }
 
+/// What ranks have said to each other after some steps. @param atoms  becomes the number of atoms of each
+test::RankTeam::Traffic traffic_of(int size, const FluidSpec& spec, Index steps, std::vector<Index>& atoms) {
+    test::RankTeam team(size);
+    team.run([&](std::shared_ptr<Ranks> here) {
+        const auto rank = static_cast<std::size_t>(here->rank());
+        Simulation simulation(spec, Execution(ExecutionOptions{.ranks = std::move(here)}));
+        simulation.advance(steps);
+        atoms[rank] = simulation.state().count();
+    });
+    return team.traffic();
+}
+
 }  // namespace
 
 TEST_CASE("a step without a new list takes two messages from each rank to each near one, as long at every step") {
@@ -98,21 +112,9 @@ TEST_CASE("a step without a new list takes two messages from each rank to each n
     spec.sample_every = 1000;
     spec.stages = {{.name = "go", .time_step = 0.004, .steps = 60}};
     const int size = GENERATE(2, 3, 4);
-    test::RankTeam::Traffic before;
-    test::RankTeam::Traffic after;
     std::vector<Index> atoms(static_cast<std::size_t>(size));
-    const auto run = [&](Index steps) {
-        test::RankTeam team(size);
-        team.run([&](std::shared_ptr<Ranks> here) {
-            const auto rank = static_cast<std::size_t>(here->rank());
-            Simulation simulation(spec, Execution(ExecutionOptions{.ranks = std::move(here)}));
-            simulation.advance(steps);
-            atoms[rank] = simulation.state().count();
-        });
-        return team.traffic();
-    };
-    before = run(20);
-    after = run(50);
+    const test::RankTeam::Traffic before = traffic_of(size, spec, 20, atoms);
+    const test::RankTeam::Traffic after = traffic_of(size, spec, 50, atoms);
     const Index steps = 30;
     CAPTURE(size, atoms, (after.messages - before.messages) / steps, (after.reductions - before.reductions) / steps,
             (after.bytes - before.bytes) / steps);
@@ -124,6 +126,40 @@ TEST_CASE("a step without a new list takes two messages from each rank to each n
     CHECK((after.bytes - before.bytes) % steps == 0);
     // With a list for so many steps nothing is agreed on, but every ten steps whether an atom is too fast.
     CHECK(after.reductions - before.reductions == size * steps / 10);
+}
+
+TEST_CASE("a step of a fluid sends as many bytes as the volumes of its grid tell") {
+    FluidSpec spec = liquid(10);
+    spec.temperature = 4.0;  // of the crystal, which melts at once
+    spec.neighbors.every = 80;
+    spec.neighbors.tile = 200;
+    spec.sample_every = 1000;
+    spec.stages = {{.name = "go", .time_step = 0.004, .steps = 150}};
+    const int size = GENERATE(2, 3, 6);
+    std::vector<Index> atoms(static_cast<std::size_t>(size));
+    const Index before = traffic_of(size, spec, 90, atoms).bytes;
+    const Index after = traffic_of(size, spec, 140, atoms).bytes;
+    const auto found = static_cast<double>(after - before) / 50.0;
+
+    const Box box = cubic_box(atoms_of(spec), spec.density);
+    const double range = 2.5 + spec.neighbors.skin;
+    // Of a column that is cut off between clusters of four, no, one, two or three atoms more are taken.
+    const auto atoms_in = [&](const std::vector<ClusterGrid::HaloPart>& parts) {
+        double sum = 0.0;
+        for (const ClusterGrid::HaloPart& part : parts) {
+            sum += spec.density * part.volume + 1.5 * static_cast<double>(part.cuts);
+        }
+        return sum;
+    };
+    double expected = 0.0;
+    std::mutex mutex;
+    test::RankTeam(size).run([&](std::shared_ptr<Ranks> here) {
+        ClusterGrid grid;
+        grid.configure(box, range, atoms_of(spec), spec.neighbors.tile, range, *here);
+        const std::lock_guard lock(mutex);
+        expected += 32.0 * atoms_in(grid.halo_parts()) + 24.0 * atoms_in(grid.force_parts());
+    });
+    CHECK(found == Approx(expected).epsilon(0.02));
 }
 
 TEST_CASE("ranks that go on from a checkpoint of others have the bits of one process") {

@@ -64,14 +64,18 @@ class ClusterGrid {
     /// @throws InputError when there are more atoms than can be counted
     void sort(State& state, State* companion = nullptr);
 
-    /// What the halo takes of another rank: columns, and their volume [sigma^3].
+    /// What concerns another rank: columns, and their volume [sigma^3].
     struct HaloPart {
         int rank;
         Index columns;
         double volume;
+        Index cuts;  ///< ends of columns that are cut off between clusters: up to three atoms more than the volume has
     };
-    /// By rank, those alone from which something is taken. @pre configured
+    /// What the halo takes of others, by rank; only ranks of which it takes something. @pre configured
     [[nodiscard]] std::vector<HaloPart> halo_parts() const;
+    /// What of others the tiles here have as ghosts, and so find forces for, by rank. A column counts once for each
+    /// tile. @pre configured
+    [[nodiscard]] std::vector<HaloPart> force_parts() const;
     /// Volume of the tiles here [sigma^3]. @pre configured
     [[nodiscard]] double own_volume() const;
 
@@ -84,6 +88,9 @@ class ClusterGrid {
 
     /// Number of the first tile here among those of all ranks.
     [[nodiscard]] Index first_tile() const { return first_tile_; }
+    /// Number of tiles along x, y and z, and where among them each tile of all ranks lies.
+    [[nodiscard]] const std::array<int, 3>& tiles_along() const { return tiles_along_; }
+    [[nodiscard]] std::span<const std::array<int, 3>> tile_places() const { return tile_cells_; }
 
     /// Place of a cluster of the halo at its own rank.
     struct Abroad {
@@ -223,9 +230,6 @@ class ClusterGrid {
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
     /// How many whole boxes a column lies away from the box along an axis.
     [[nodiscard]] int boxes_away(int cell, std::size_t axis) const;
-    /// How many columns a column lies away from a tile along an axis: 0 if it is one of its own, negative if it lies
-    /// before them. @param first  the tile's first column
-    [[nodiscard]] int cells_from_tile(int cell, int first, std::size_t axis) const;
     /// Number of the slice at a height: 0 below the column, slice_count_ + 1 above it. @param above  height over the
     /// lowest z of the column [sigma]
     [[nodiscard]] Index slice(double above) const {
@@ -235,6 +239,16 @@ class ClusterGrid {
     void put_in_order(State& state, State* companion);
     void make_clusters(const State& state);
     [[nodiscard]] double gap2(int cells, std::size_t axis) const;
+    /// A column, seen from a tile.
+    struct Seen {
+        Cell wrapped;  ///< of the column in the box
+        Vec3 shift;    ///< from there: whole box edges [sigma]
+        int side;      ///< where the column's tile lies, seen from this one: -1, 0 (same tile) or 1
+        bool in_range;
+    };
+    /// @param first  lowest column of the tile  @param cell  that of the column, perhaps outside the box
+    /// @param range  [sigma]
+    [[nodiscard]] Seen seen_from(const Cell& first, const Cell& cell, double range) const;
     [[nodiscard]] Run ghosts_of_column(std::int32_t column, double shift, double low, double high) const;
 
     double range_ = 0.0;
