@@ -409,19 +409,22 @@ def test_systems_of_scaling(tmp: Path) -> None:
 
 
 def rank_of(number: int, atoms: float, ghosts: float = 0.0, messages: int = 0, forces: float = 0.0, force_messages: int = 0,
-            **more: Any) -> dict[str, Any]:
+            inner: float = 0.0, **more: Any) -> dict[str, Any]:
     """As the program `decomposition` tells it."""
-    return {"rank": number, "atoms": atoms, "ghosts": ghosts, "messages": messages, "forces": forces, "force_messages": force_messages, **more}
+    return {"rank": number, "atoms": atoms, "inner": inner, "ghosts": ghosts, "messages": messages, "forces": forces,
+            "force_messages": force_messages, **more}
 
 
 def test_model_of_ranks(tmp: Path) -> None:
     """The slowest rank counts; one rank alone has nothing but its atoms."""
     alone = rank_model.modelled({"atoms": 1000, "ranks": 1, "asked": [rank_of(0, 1000.0)], "tiles": 2}, 1e-7)
     assert alone["efficiency"] == 1.0 and abs(alone["terms"]["computing"] - 1e-4) < 1e-18, alone
-    asked = [rank_of(0, 500.0, 1000.0, 3, 700.0, 3), rank_of(9, 600.0, 2000.0, 5, 900.0, 2)]
+    asked = [rank_of(0, 500.0, 1000.0, 3, 700.0, 3, 20.0), rank_of(9, 600.0, 2000.0, 5, 900.0, 2, 100.0)]
     many = rank_model.modelled({"atoms": 8000, "ranks": 16, "asked": asked, "tiles": 16}, 1e-7)
-    step = 6e-5 + (5 + 2) * rank_model.LATENCY + (32 * 2000 + 24 * 900) / rank_model.BANDWIDTH + 2 * rank_model.LATENCY * 4
+    step = 6e-5 + (5 + 2) * rank_model.LATENCY + (32 * 2000 + 24 * 900) / rank_model.BANDWIDTH - 1e-7 * 100 + 2 * rank_model.LATENCY * 4
     assert many["slowest"]["rank"] == 9 and abs(many["efficiency"] - 1e-7 * 500 / step) < 1e-12, many
+    hidden = rank_model.seconds(rank_of(0, 600.0, 2000.0, 5, 900.0, 2, 590.0), 16, 1e-7)
+    assert abs(hidden["positions"] - (39.5e-6 - 29.5e-6)) < 1e-12 and hidden["forces"] == 0.0, hidden
     rounds = [{"program": "ljmd", "round": k, "alone": 1e7, "shared": 1.8e7 + k, "parts": 2e7} for k in range(3)]
     simulated = {"atoms": rank_model.SIZES[0], "ranks": 16, "network": "tree", "steps": 3, "step": 1e-3, "efficiency": 0.777, "on_paper": 0.7,
                  "simulator": {"seconds": 1.0, "mebibytes": 30.0}}
@@ -445,12 +448,12 @@ def test_model_of_ranks(tmp: Path) -> None:
 
 def test_traces_of_ranks(tmp: Path) -> None:
     """What one rank sends, another one expects, as many bytes; positions go out before the forces, which come back."""
-    asked = [rank_of(0, 500.0, parts=[[1, 100.0, 40.0]]), rank_of(1, 300.0, parts=[[0, 90.0, 0.0], [2, 10.0, 5.0]]),
+    asked = [rank_of(0, 500.0, inner=200.0, parts=[[1, 100.0, 40.0]]), rank_of(1, 300.0, parts=[[0, 90.0, 0.0], [2, 10.0, 5.0]]),
              rank_of(2, 200.0, parts=[[1, 20.0, 0.0]])]
     traces = replay.write_traces({"atoms": 1000, "ranks": 3, "asked": asked}, 1e-7, 2, tmp)
     texts = [Path(name).read_text().splitlines() for name in traces.read_text().split()]
-    step = ["0 irecv 1 0 3200 6", "0 isend 1 0 2880 6", "0 waitall", "0 allreduce 1 0 0", "0 compute 50000", "0 isend 1 0 960 6",
-            "0 waitall", "0 allreduce 1 0 0"]
+    step = ["0 irecv 1 0 3200 6", "0 isend 1 0 2880 6", "0 allreduce 1 0 0", "0 compute 10000", "0 waitall", "0 compute 30000",
+            "0 isend 1 0 960 6", "0 compute 10000", "0 waitall", "0 allreduce 1 0 0"]
     assert texts[0] == ["0 init", *step, *step, "0 finalize"], texts[0]
     words = [line.split() for text in texts for line in text]
     sent = sorted((word[0], *word[2:]) for word in words if word[1] == "isend")

@@ -1,13 +1,14 @@
 """A model of the time of a step of many ranks, on paper. A step of a rank takes
 
-    T = c n + (m + k) L + (32 g + 24 f)/B + 2 L log2 P
+    T = c n + [m L + 32 g/B - c i/2] + [k L + 24 f/B - c i/2] + 2 L log2 P,    [x] = max(x, 0)
 
 for n atoms, g ghosts of m other ranks, and forces on f atoms of k other ranks (an atom counts once for each tile that
 has found one). c, the seconds for an atom, is measured; L, the latency of a message, and B, the bandwidth of a rank, are
-assumed (LATENCY, BANDWIDTH). Messages wait for each other, and nothing is hidden behind computing. Positions go out
-with 32 bytes for each ghost, forces with 24, and two numbers are agreed on: whether the list is still good, and whether
-a checkpoint is due. n, g, m, f and k are those of the program's own grid (the program `decomposition`), for the rank of
-those asked whose step takes longest: a run waits for it.
+assumed (LATENCY, BANDWIDTH). Messages wait for each other. Half of the i atoms in tiles without ghosts of other ranks
+are computed while positions are on their way, with 32 bytes for each ghost, and half while forces are, with 24. Two
+numbers are agreed on: whether the list is still good, and whether a checkpoint is due. n, i, g, m, f and k are those of
+the program's own grid (the program `decomposition`), for the rank of those asked whose step takes longest: a run waits
+for it.
 """
 
 from __future__ import annotations
@@ -43,9 +44,10 @@ def counted(program: Path, atoms: int, ranks: Iterable[int], *options: str) -> l
 
 def seconds(rank: dict[str, float], ranks: int, cost: float) -> dict[str, float]:
     """The terms of the model."""
-    return {"computing": cost * rank["atoms"],
-            "latency": (rank["messages"] + rank["force_messages"]) * LATENCY,
-            "bytes": (BYTES_OF_POSITION * rank["ghosts"] + BYTES_OF_FORCE * rank["forces"]) / BANDWIDTH,
+    hidden = 0.5 * cost * rank["inner"]
+    positions = rank["messages"] * LATENCY + BYTES_OF_POSITION * rank["ghosts"] / BANDWIDTH
+    forces = rank["force_messages"] * LATENCY + BYTES_OF_FORCE * rank["forces"] / BANDWIDTH
+    return {"computing": cost * rank["atoms"], "positions": max(0.0, positions - hidden), "forces": max(0.0, forces - hidden),
             "decisions": 2 * LATENCY * math.log2(ranks)}
 
 

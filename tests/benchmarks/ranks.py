@@ -48,7 +48,7 @@ from ljmd.reading.files import damaged, read_json  # noqa: E402
 from style import plt  # noqa: E402
 
 SCHEMA = "ljmd-ranks"
-VERSION = 2
+VERSION = 3
 LAMMPS_INPUT = """units lj
 atom_style atomic
 lattice fcc {density}
@@ -218,8 +218,8 @@ def markdown(record: dict[str, Any]) -> str:
             rows.append([f"{one['atoms']:.0e}", one["ranks"], f"{one['slowest']['atoms']:.0f}", f"{one['slowest']['ghosts']:.0f}",
                          f"{one['slowest']['forces']:.0f}", one["slowest"]["messages"], *(f"{1e6 * terms[key]:.1f}" for key in terms), f"{one['efficiency']:.2f}"])
         lines += ["", f"The model, with {1e9 * cost:.0f} ns an atom and step, messages of {1e6 * LATENCY:.1f} us and {BANDWIDTH / 1e9:.0f} GB/s:", "",
-                  *report.table(["atoms", "ranks", "atoms of a rank", "ghosts", "forces", "other ranks", "computing [us]", "latency [us]", "bytes [us]",
-                                 "decisions [us]", "efficiency"], [[str(cell) for cell in row] for row in rows])]
+                  *report.table(["atoms", "ranks", "atoms of a rank", "ghosts", "forces", "other ranks", "computing [us]", "positions [us]",
+                                 "forces [us]", "decisions [us]", "efficiency"], [[str(cell) for cell in row] for row in rows])]
     if record["simulations"]:
         rows = [[f"{one['atoms']:.2g}", one["ranks"], one["network"], f"{1e6 * one['step']:.0f}", f"{one['efficiency']:.3f}",
                  f"{one['on_paper']:.3f}", f"{one['simulator']['seconds']:.1f}", f"{one['simulator']['mebibytes']:.0f}"]
@@ -244,9 +244,11 @@ def draw(record: dict[str, Any]) -> plt.Figure:
                 efficiency.plot(*zip(*places), marker, markersize=7, fillstyle="none", color=style.colour(k), label=f"simulated, {network}")
     efficiency.set(xscale="log", xlabel="ranks", ylabel="part of the ideal rate", ylim=(0.0, 1.05))
     efficiency.legend()
-    for k, name in enumerate(("computing", "latency", "bytes", "decisions")):
+    for k, (name, label) in enumerate({"computing": "computing", "positions": "waiting for positions", "forces": "waiting for forces",
+                                       "decisions": "decisions"}.items()):
         places = [(one["ranks"], 1e6 * one["terms"][name]) for one in found if one["terms"][name] > 0.0]
-        parts.plot(*zip(*places), "os^v"[k] + "-", markersize=4, color=style.colour(k), label=name)
+        if places:
+            parts.plot(*zip(*places), "os^v"[k] + "-", markersize=4, color=style.colour(k), label=label)
     parts.set(xscale="log", yscale="log", xlabel="ranks", ylabel=f"microseconds a step, {SIZES[-1]:.0e} atoms")
     parts.legend()
     return figure

@@ -1,8 +1,9 @@
 """Steps of many ranks on a simulated network, by SimGrid's replay of traces (smpirun, Debian: libsimgrid-dev).
 
-A trace has what a rank does in a step, in the order of the program: positions to and from the ranks of its halo, the
-decision whether the list is still good, the forces of its atoms as computing, forces to and from other ranks, the
-decision whether a checkpoint is due. What goes between which ranks is counted by the program `decomposition --messages`.
+A trace has what a rank does in a step, in the order of the program: positions begin to pass to and from the ranks of its
+halo; the decision whether the list is still good; half of the atoms of inner tiles as computing; the positions are there;
+the atoms of tiles with ghosts of other ranks; forces begin to pass; the other half; the forces are there; the decision
+whether a checkpoint is due. What goes between which ranks is counted by the program `decomposition --messages`.
 
 Two networks: "links" is that of the model on paper, a link of BANDWIDTH in each direction for every rank, with a switch
 between them that never is the bottleneck. "tree" has computers of CORES ranks that share a link, and a fat tree of
@@ -67,15 +68,24 @@ def transfers(decomposition: dict[str, Any], part: int, size: int) -> tuple[list
     return sent, received
 
 
-def actions(rank: int, exchanges: list[Any], computing: float) -> Iterator[str]:
-    """A step. `exchanges`: of positions and of forces; `computing`: [s]."""
-    for number, (sent, received) in enumerate(exchanges):
+def actions(rank: int, exchanges: list[Any], inner: float, outer: float) -> Iterator[str]:
+    """A step. `exchanges`: of positions and of forces; `inner`, `outer`: computing of tiles without and with ghosts of other ranks [s]."""
+    def begin(sent: list[dict[int, int]], received: list[dict[int, int]]) -> Iterator[str]:
         yield from (f"{rank} irecv {other} 0 {count} 6" for other, count in received[rank].items())
         yield from (f"{rank} isend {other} 0 {count} 6" for other, count in sent[rank].items())
-        yield f"{rank} waitall"
-        if number == 0:
-            yield f"{rank} allreduce 1 0 0"
-            yield f"{rank} compute {computing * 1e9:.0f}"
+
+    def compute(seconds: float) -> str:
+        return f"{rank} compute {seconds * 1e9:.0f}"
+
+    positions, forces = exchanges
+    yield from begin(*positions)
+    yield f"{rank} allreduce 1 0 0"
+    yield compute(inner / 2)
+    yield f"{rank} waitall"
+    yield compute(outer)
+    yield from begin(*forces)
+    yield compute(inner / 2)
+    yield f"{rank} waitall"
     yield f"{rank} allreduce 1 0 0"
 
 
@@ -85,7 +95,7 @@ def write_traces(decomposition: dict[str, Any], cost: float, steps: int, folder:
     names = []
     for one in decomposition["asked"]:
         rank = one["rank"]
-        step = "\n".join(actions(rank, exchanges, cost * one["atoms"]))
+        step = "\n".join(actions(rank, exchanges, cost * one["inner"], cost * (one["atoms"] - one["inner"])))
         path = folder / f"{rank}.trace"
         path.write_text("\n".join([f"{rank} init", *[step] * steps, f"{rank} finalize"]) + "\n")
         names.append(str(path))
