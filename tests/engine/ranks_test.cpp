@@ -130,7 +130,7 @@ TEST_CASE("a step without a new list takes two messages from each rank to each n
 
 TEST_CASE("a step of a fluid sends as many bytes as the volumes of its grid tell") {
     FluidSpec spec = liquid(10);
-    spec.temperature = 4.0;  // of the crystal, which melts at once
+    spec.temperature = 4.0;     // of the crystal, which melts at once
     spec.neighbors.every = 40;  // the third list is shared by the work of the second, no longer by that of a crystal
     spec.neighbors.tile = 200;
     spec.sample_every = 1000;
