@@ -10,6 +10,14 @@
 #include <cstdint>
 #endif
 
+#if defined(__SANITIZE_ADDRESS__)
+#define LJMD_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define LJMD_ADDRESS_SANITIZER
+#endif
+#endif
+
 namespace ljmd {
 
 namespace {
@@ -25,6 +33,22 @@ constexpr std::size_t mapped_block = std::size_t{1} << 20;
 constexpr std::size_t large_block = std::size_t{1} << 22;
 /// Large pages of x86-64, and of most other processors.
 constexpr std::size_t large_page = std::size_t{1} << 21;
+
+#if defined(LJMD_ADDRESS_SANITIZER)  // it watches what it allocates alone
+
+std::byte* map(std::size_t bytes) {
+    return static_cast<std::byte*>(::operator new (bytes, std::align_val_t{large_page}));
+}
+
+void unmap(std::byte* memory, std::size_t /*bytes*/) {
+    ::operator delete (memory, std::align_val_t{large_page});
+}
+
+std::byte* map_large(std::size_t bytes) {
+    return map(bytes);
+}
+
+#else
 
 std::byte* map(std::size_t bytes) {
     void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -52,6 +76,7 @@ std::byte* map_large(std::size_t bytes) {
     return memory + before;
 }
 
+#endif
 #endif
 
 thread_local const FirstTouch::Function* first_touch = nullptr;

@@ -90,6 +90,20 @@ std::string in_quotes(std::string_view text) {
     return "'" + printable(text, max_characters) + "'";
 }
 
+std::string string_literal(std::string_view text) {
+    std::string literal = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 32 || byte == 127) {
+            literal += fmt::format("\\{:03o}", byte);
+            continue;
+        }
+        literal += c == '"' || c == '\\' ? "\\" : "";
+        literal += c;
+    }
+    return literal + "\"";
+}
+
 std::string with_error(double mean, double error) {
     if (!(error > 0.0) || !std::isfinite(error)) {
         return without_negative_zero(fmt::format("{:.6g}", mean));

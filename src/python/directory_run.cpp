@@ -10,9 +10,9 @@
 #include "errors.hpp"
 #include "external_force.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/written_report.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/given/given_record.hpp"
@@ -47,7 +47,7 @@ void run_freely(PythonObservers& observers, const std::shared_ptr<PythonExternal
         work();
     } catch (const Interrupted&) {
         attention.raise(fmt::format("the run has written a checkpoint; to go on: ljmd.resume({})",
-                                    to_json_line(Data(directory.string()))));
+                                    string_literal(directory.string())));
         throw;  // its wall time is over
     }
     attention.raise();

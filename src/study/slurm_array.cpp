@@ -101,11 +101,19 @@ std::optional<std::string> job_number(const std::string& text) {
     return std::nullopt;
 }
 
-/// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", or shortened as sbatch takes it, "--arr".
+/// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", shortened as sbatch takes it, "--arr", or
+/// behind letters that need no value, "-Ha1-3".
 /// @param least  of `name`, by which sbatch knows the option
-bool is_option(const std::string& word, const std::string& letter, const std::string& least, const std::string& name) {
+bool is_option(const std::string& word, char letter, const std::string& least, const std::string& name) {
     const std::string given = word.substr(0, word.find('='));
-    return word.starts_with(letter) || (given.starts_with(least) && name.starts_with(given));
+    if (given.starts_with(least) && name.starts_with(given)) {
+        return true;
+    }
+    if (!word.starts_with('-')) {
+        return false;
+    }
+    const std::size_t first = word.find_first_not_of("HhIkOQsvVW", 1);
+    return first != std::string::npos && word[first] == letter;
 }
 
 }  // namespace
@@ -145,7 +153,7 @@ std::vector<std::string> shell_words(const std::string& text) {
 std::vector<std::string> sbatch_options(const std::string& text) {
     std::vector<std::string> words = shell_words(text);
     for (const std::string& word : words) {
-        if (is_option(word, "-a", "--ar", "--array") || is_option(word, "-J", "--j", "--job-name")) {
+        if (is_option(word, 'a', "--ar", "--array") || is_option(word, 'J', "--j", "--job-name")) {
             throw InputError(
                 fmt::format("--slurm: {} cannot be given: ljmd sets --array, whose tasks are shares of the runs, and "
                             "--job-name, by "
@@ -190,11 +198,11 @@ std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std
 
 SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
     : command_(std::move(command)),
-      directory_(files::canonical(directory)),
+      directory_(files::absolute(directory)),
       options_(sbatch_options(options)),
       sbatch_(program_of_slurm("sbatch")),
       squeue_(program_of_slurm("squeue")),
-      name_(array_name(directory_)) {}
+      name_(array_name(files::canonical(directory))) {}
 
 void SlurmArray::require_none() const {
     const auto [status, text] = answer_of(squeue_, {"--noheader", "--name=" + name_, "--format=%F %T"});

@@ -37,10 +37,11 @@ LEAF = 16  # computers at a switch of the lowest level
 # Of SimGrid 3.32: the selectors of collective algorithms crash with 256 ranks; sends that nobody waits for are looked up
 # in one list of them all; the model of SMPI has factors of an old Ethernet.
 OPTIONS = ("network/model:CM02", "network/crosstraffic:0", "smpi/allreduce:rdb", "smpi/host-speed:1Gf", "smpi/send-is-detached-thresh:0",
-           "contexts/stack-size:256", "contexts/guard-size:0")
-# Messages take turns at a link: within a percent of what they need side by side, and the time of the simulator is
-# proportional to the number of messages. On a tree they would hold up each other's links.
-MORE_OPTIONS = {"links": ("maxmin/concurrency-limit:1",), "tree": ()}
+           "contexts/stack-size:256", "contexts/guard-size:0")  # of 10,000 ranks a guard page each is too many
+# Of more ranks messages take turns at a link of "links": so the time of the simulator is proportional to their number. A
+# decision then waits for positions that are on their way. On a tree they would hold up each other's links.
+SIDE_BY_SIDE = 64
+TURNS = "maxmin/concurrency-limit:1"
 PLATFORM = """<?xml version='1.0'?>
 <!DOCTYPE platform SYSTEM "https://simgrid.org/simgrid.dtd">
 <platform version="4.1">
@@ -125,8 +126,9 @@ def simulated(decomposition: dict[str, Any], cost: float, network: str, folder: 
     ranks = decomposition["ranks"]
     traces = write_traces(decomposition, cost, steps, folder)
     platform, places = write_platform(network, ranks, folder)
+    options = (*OPTIONS, TURNS) if network == "links" and ranks > SIDE_BY_SIDE else OPTIONS
     command = ["smpirun", "-quiet", "-platform", str(platform), "-hostfile", str(places), "-np", str(ranks), "-replay", str(traces),
-               "--log=replay.thres:critical", *(f"--cfg={option}" for option in (*OPTIONS, *MORE_OPTIONS[network]))]
+               "--log=replay.thres:critical", *(f"--cfg={option}" for option in options)]
     files = resource.getrlimit(resource.RLIMIT_NOFILE)
     start = time.monotonic()
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",

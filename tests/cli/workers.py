@@ -312,7 +312,8 @@ def submitted_by_another_path(t):
     t.contains(t.run_well(*REQUEST, "real/out", *slurm, env=environment).out, "submitted: array 17 of 6 tasks\n")
     for path in ("real/out", "link/out", "./real//out/", "link/../real/out", t.dir / "real/out", t.dir / "link/out"):
         result = t.expect(9, t.run(*REQUEST, path, *slurm, env=environment))
-        t.contains(result.err, f"error: array 17 of {(t.dir / 'real/out').resolve()} is queued or running. Nothing was submitted.\n")
+        t.contains(result.err, "error: array 17 of ")
+        t.contains(result.err, " is queued or running. Nothing was submitted.\n")
     t.run_well(*REQUEST, "link/other", *slurm, env=environment)
     t.equal(len(set(t.read("queue").split())), 2, "names of arrays")
     t.run_well(*REQUEST, "it's mine", *slurm, env=environment)
@@ -358,6 +359,7 @@ def cases():
         Case("the status of a table that is none", refused("reproduce", "--status", "out")),
         Case("the tasks of Slurm given", refused(*REQUEST, "out", "--slurm", "-p all --array=1-3")),
         Case("the name for Slurm given", refused(*REQUEST, "out", "--slurm", "-J mine")),
+        Case("the name for Slurm behind another letter", refused(*REQUEST, "out", "--slurm", "-HJmine")),
         Case("the tasks of Slurm given for a table", refused(*ROWS, "out", "--slurm", "-a1-3")),
         Case("prepared and submitted", refused(*REQUEST, "out", "--prepare", "--slurm", "")),
         Case("prepared with another grid", refused(*REQUEST[:3], "system.density=0.7|0.8", "--out", "out", "--prepare",

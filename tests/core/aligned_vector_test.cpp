@@ -31,17 +31,15 @@ TEST_CASE("aligned vectors begin at a cache line, large ones at a large page, an
     CHECK(is_aligned(bytes, 64));
 }
 
-TEST_CASE("whoever shall touch the pages of large blocks first gets them untouched, from this thread alone") {
+TEST_CASE("whoever shall touch the pages of large blocks first gets them before all others, from this thread alone") {
     constexpr std::size_t small = 1000;
     constexpr std::size_t large = std::size_t{1} << 23;
     std::size_t outer = 0;
     std::size_t inner = 0;
-    bool untouched = true;
-    const auto adding_to = [&untouched](std::size_t& sum) {
-        return [&sum, &untouched](std::byte* memory, std::size_t bytes) {
+    const auto adding_to = [](std::size_t& sum) {
+        return [&sum](std::byte* memory, std::size_t bytes) {
             sum += bytes;
-            untouched = untouched && memory[0] == std::byte{0} && memory[bytes - 1] == std::byte{0};
-            memory[0] = std::byte{1};
+            memory[0] = memory[bytes - 1] = std::byte{1};
         };
     };
     const auto use = [] {
@@ -65,5 +63,4 @@ TEST_CASE("whoever shall touch the pages of large blocks first gets them untouch
     CHECK(use());
     CHECK(outer == 2 * large);
     CHECK(inner == large);
-    CHECK(untouched);
 }

@@ -84,3 +84,11 @@ TEST_CASE("a paragraph is broken at spaces, and long words stand alone") {
     CHECK(wrapped("\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9", 5, 0) == "\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9");
     CHECK(wrapped("", 8, 2).empty());
 }
+
+TEST_CASE("a literal is read back as it was, by Python and C++") {
+    CHECK(string_literal("runs/mine") == "\"runs/mine\"");
+    CHECK(string_literal("a \"b\" \\ c") == R"("a \"b\" \\ c")");
+    CHECK(string_literal("f\u00fcr \xff") == "\"f\u00fcr \xff\"");
+    CHECK(string_literal("1\n2\x1b"
+                         "3\x7f") == R"("1\0122\0333\177")");
+}

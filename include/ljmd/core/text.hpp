@@ -32,6 +32,10 @@ inline constexpr std::size_t screen_columns = 80;
 /// A name or value for messages: printable, in single quotes, at most 60 characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// A text as Python and C++ read it: in double quotes, with a backslash before '"' and '\\', control characters as
+/// three octal digits. Other bytes stay as they are.
+[[nodiscard]] std::string string_literal(std::string_view text);
+
 /// "-6.0871 +- 0.0012": the error with two digits, the mean with as many decimals. If the error is 0 or unknown, the
 /// mean alone with six digits.
 [[nodiscard]] std::string with_error(double mean, double error);

@@ -28,6 +28,7 @@ namespace ljmd {
 /// @param before  positions when they were sorted, those of the ghosts after them, laid out as for
 /// squared_displacement() [sigma]
 /// @param cutoff  > 0 [sigma]  @param skin  >= 0 [sigma]
+/// @pre with other ranks, a halo of cutoff + 2 skin at least, wider by a factor of 1 + 5e-7
 [[nodiscard]] bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff,
                                    double skin);
 

@@ -17,7 +17,8 @@ class TileOrder {
   public:
     /// @param needs_halo  of each tile: whether it has ghost clusters of other ranks
     /// @param work        of each tile, in any unit
-    /// @param threads     that share the tiles: the first and the last part have a multiple of it
+    /// @param threads     that share the tiles: if any tile needs the halo, the first and the last part have a multiple
+    /// of it; else all tiles are in the first
     void arrange(const std::vector<bool>& needs_halo, std::span<const std::int64_t> work, int threads);
 
     struct Part {

@@ -51,7 +51,7 @@ class SlurmArray {
     [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;
 
     std::string command_;
-    std::filesystem::path directory_;  ///< canonical
+    std::filesystem::path directory_;  ///< as it was given, absolute: a computer of the cluster may have other links
     std::vector<std::string> options_;
     std::filesystem::path sbatch_;
     std::filesystem::path squeue_;

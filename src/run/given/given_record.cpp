@@ -12,7 +12,6 @@
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/io/tables/pair_table_file.hpp"
 #include "ljmd/potentials/potential_identity.hpp"
 
@@ -211,13 +210,13 @@ std::string how_to_resume(const GivenParts& given, const fs::path& directory) {
     }
     if (given.by != "Python") {
         return fmt::format("resume_in_directory({}, ...) in the program that began it",
-                           to_json_line(Data(directory.string())));
+                           string_literal(directory.string()));
     }
     std::vector<std::string> names;
     for (const ObserverRecord& observer : given.observers) {
         names.push_back(printable(observer.name, 60));
     }
-    return fmt::format("ljmd.resume({}{}{}) in Python", to_json_line(Data(directory.string())),
+    return fmt::format("ljmd.resume({}{}{}) in Python", string_literal(directory.string()),
                        names.empty() ? "" : fmt::format(", observables=[{}]", fmt::join(names, ", ")),
                        given.external.empty() ? "" : fmt::format(", external={}", printable(given.external, 60)));
 }
