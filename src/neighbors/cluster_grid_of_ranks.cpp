@@ -155,6 +155,7 @@ std::vector<ClusterGrid::HaloPart> ClusterGrid::force_parts() const {
         }
     }
     std::vector<HaloPart> parts;
+    parts.reserve(of_ranks.size());
     for (const auto& [rank, part] : of_ranks) {
         parts.push_back(part);
     }
