@@ -209,6 +209,14 @@ TEST_CASE("ranks that go on from a checkpoint of others have the bits of one pro
     CHECK(!expected.empty());
 }
 
+TEST_CASE("ranks of a long box sum inner tiles while messages are under way, and have the bits of one process") {
+    FluidSpec spec = liquid(4);
+    spec.start = LatticeStart{.cells = 4, .layers = 32};
+    spec.neighbors.tile = 200;  // slabs, of which the last one of each rank has ghosts of another
+    const Left found = run_by(GENERATE(2, 3), spec, {.threads = GENERATE(1, 2)});
+    check_same(found, run_alone(spec));
+}
+
 TEST_CASE("a run by several ranks has the bits of one process") {
     const int ranks = GENERATE(1, 2, 3, 4, 7, 8);
     const int threads = GENERATE(1, 2);

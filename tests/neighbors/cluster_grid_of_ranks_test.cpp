@@ -124,20 +124,25 @@ TEST_CASE("of two atoms near each other at different ranks, one rank has the oth
 }
 
 TEST_CASE("the halos of two ranks hold the atoms on one side of each tile alone") {
-    // Two halves, each of 2 x 2 x 4 tiles and seen from both of its ends: each end belongs to one halo alone.
-    const Box box({20.0, 20.0, 80.0});
     const Index atoms = 16000;
-    std::mutex mutex;
-    double volume = 0.0;
-    RankTeam(2).run([&](std::shared_ptr<Ranks> ranks) {
-        ClusterGrid grid;
-        grid.configure(box, range, atoms, 1000, halo, *ranks);
-        const std::lock_guard lock(mutex);
-        for (const ClusterGrid::HaloPart& part : grid.halo_parts()) {
-            volume += part.volume;
-        }
-    });
-    CHECK(volume == Approx(2.0 * 20.0 * 20.0 * halo));
+    const auto volume_of_halos = [&](const Box& box) {
+        std::mutex mutex;
+        double volume = 0.0;
+        RankTeam(2).run([&](std::shared_ptr<Ranks> ranks) {
+            ClusterGrid grid;
+            grid.configure(box, range, atoms, 1000, halo, *ranks);
+            const std::lock_guard lock(mutex);
+            for (const ClusterGrid::HaloPart& part : grid.halo_parts()) {
+                volume += part.volume;
+            }
+        });
+        return volume;
+    };
+    // Two halves of 2 x 2 tiles in a layer meet at two places, each of which belongs to one halo.
+    CHECK(volume_of_halos(Box({20.0, 20.0, 80.0})) == Approx(2.0 * 20.0 * 20.0 * halo));
+    // Along x a tile also sees what lies before it in the next layers along y and z. Columns are 1.9 wide, and two are
+    // seen: both sides would be 4 x 20 x 20 x 3.8.
+    CHECK(volume_of_halos(Box({80.0, 20.0, 20.0})) < 0.8 * 4.0 * 20.0 * 20.0 * 3.8);
 }
 
 TEST_CASE("ranks share the work, not the tiles, where it is known") {
