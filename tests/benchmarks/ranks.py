@@ -171,7 +171,7 @@ def measure(options: argparse.Namespace, folder: Path) -> list[dict[str, Any]]:
 
 
 def simulations(program: Path, cost: float, largest: int) -> list[dict[str, Any]]:
-    """Steps on each network, with the model's result for the same ranks, all of which are asked."""
+    """Simulated steps on each network, with the model's result for the same ranks."""
     found = []
     for atoms, ranks in replay.RUNS:
         if ranks > largest:

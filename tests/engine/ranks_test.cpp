@@ -212,7 +212,7 @@ TEST_CASE("ranks that go on from a checkpoint of others have the bits of one pro
 TEST_CASE("ranks of a long box sum inner tiles while messages are under way, and have the bits of one process") {
     FluidSpec spec = liquid(4);
     spec.start = LatticeStart{.cells = 4, .layers = 32};
-    spec.neighbors.tile = 200;  // slabs, of which the last one of each rank has ghosts of another
+    spec.neighbors.tile = 200;  // slabs; the last one of each rank has ghosts of another rank
     const Left found = run_by(GENERATE(2, 3), spec, {.threads = GENERATE(1, 2)});
     check_same(found, run_alone(spec));
 }

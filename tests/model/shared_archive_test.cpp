@@ -22,7 +22,7 @@ std::vector<int> numbers_of(const Share& share) {
 
 const std::vector<int> all_numbers = numbers_of({0, total});
 
-/// Give the bytes of all numbers as one list to teams of one to three ranks, each rank of which does its work.
+/// Run work in each rank of teams of one to three ranks. Each gets the bytes of all numbers as one list.
 /// @param work  takes bytes, ranks, and a mutex that a rank holds while it checks
 template <class Work>
 void share_all_numbers(const Work& work) {

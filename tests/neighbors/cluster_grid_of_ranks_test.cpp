@@ -138,7 +138,7 @@ TEST_CASE("the halos of two ranks hold the atoms on one side of each tile alone"
         });
         return volume;
     };
-    // Two halves of 2 x 2 tiles in a layer meet at two places, each of which belongs to one halo.
+    // Two halves with 2 x 2 tiles in a layer meet at two places. Each place belongs to one halo.
     CHECK(volume_of_halos(Box({20.0, 20.0, 80.0})) == Approx(2.0 * 20.0 * 20.0 * halo));
     // Along x a tile also sees what lies before it in the next layers along y and z. With both sides it would be 6969.
     CHECK(volume_of_halos(Box({80.0, 20.0, 20.0})) < 5500.0);

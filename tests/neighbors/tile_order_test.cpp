@@ -32,7 +32,7 @@ TEST_CASE("tiles that need no other rank are summed while messages are under way
 TEST_CASE("every tile is summed once, and none too early, whatever the number of threads") {
     const int threads = GENERATE(1, 2, 3, 8);
     const std::size_t count = GENERATE(0U, 1U, 2U, 7U, 40U);
-    const std::size_t every = GENERATE(1U, 2U, 5U, 100U);  // of these tiles one needs the halo
+    const std::size_t every = GENERATE(1U, 2U, 5U, 100U);  // one tile in so many needs the halo
     std::vector<bool> needs_halo;
     for (std::size_t t = 0; t < count; ++t) {
         needs_halo.push_back(t % every == every - 1);

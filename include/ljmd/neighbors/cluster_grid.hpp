@@ -71,7 +71,7 @@ class ClusterGrid {
         double volume;
         Index cuts;  ///< ends of columns that are cut off between clusters: up to three atoms more than the volume has
     };
-    /// What the halo takes of others, by rank; only ranks of which it takes something. @pre configured
+    /// What the halo takes from each other rank, by rank. Ranks that give nothing are left out. @pre configured
     [[nodiscard]] std::vector<HaloPart> halo_parts() const;
     /// What of others the tiles here have as ghosts, and so find forces for, by rank. A column counts once for each
     /// tile. @pre configured
