@@ -39,7 +39,7 @@ namespace {
 /// The settings of a deck that its options make.
 std::vector<std::string> settings_of(const DeckOptions& options) {
     // Report a wrong --simd or LJMD_SIMD before anything is done.
-    static_cast<void>(options.simd.empty() ? default_simd_level() : usable_simd_level(options.simd));
+    static_cast<void>(default_simd_level(options.simd));
     std::vector<std::string> settings = options.settings;
     if (!options.precision.empty()) {
         settings.push_back("performance.precision=" + options.precision);
@@ -247,8 +247,9 @@ void run_as_member(DeckOptions options, const std::shared_ptr<Ranks>& ranks) {
 
 }  // namespace
 
-void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
+void run_command(DeckOptions options, const std::string& out, const std::string& walltime) {
     const std::shared_ptr<Ranks> ranks = shared_ranks();
+    options.simd = agreed_simd(ranks, options.simd);
     if (ranks && !ranks->is_root()) {
         run_as_member(options, ranks);
         return;

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "ljmd/cli/exit_code.hpp"
+#include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/execution/launched_ranks.hpp"
+#include "ljmd/execution/rank_agreement.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
@@ -128,6 +130,20 @@ void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<v
     throw RankLost("another rank says why");
 }
 
+std::string agreed_simd(const std::shared_ptr<Ranks>& ranks, const std::string& named) {
+    if (!ranks) {
+        return named;
+    }
+    std::optional<SimdLevel> asked;
+    prepare_together(ranks, [&] { asked = asked_simd_level(named); });
+    AgreedLevel agreed{};
+    prepare_together(ranks, [&] { agreed = agreed_level(*ranks, asked); });
+    if (agreed.differs && ranks->is_root()) {
+        warn(fmt::format("not all ranks would take the same SIMD level: all compute with {}", name(agreed.level)));
+    }
+    return std::string(name(agreed.level));
+}
+
 void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck, const CheckedRun& run) {
     if (!ranks) {
         return;
@@ -143,6 +159,7 @@ void require_shareable(const std::shared_ptr<Ranks>& ranks, const HeldRun& run) 
         return;
     }
     require_one_deck(ranks, run.deck());
+    prepare_together(ranks, [&] { static_cast<void>(agreed_level(*ranks, run.execution().simd())); });
     require_same_at_all(ranks, run.checkpoint_hash(), "checkpoint");
 }
 

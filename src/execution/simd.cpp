@@ -57,12 +57,6 @@ SimdLevel best_of_v4() {
 }
 #endif
 
-/// The highest usable level that is made for this processor.
-SimdLevel best_simd_level() {
-    const SimdLevel highest = usable_simd_levels().back();
-    return highest < SimdLevel::x86_64_v4 ? highest : best_of_v4();
-}
-
 std::vector<std::string_view> names(const std::vector<SimdLevel>& levels) {
     std::vector<std::string_view> result;
     result.reserve(levels.size());
@@ -109,9 +103,21 @@ SimdLevel usable_simd_level(const std::string& wanted) {
     throw InputError(fmt::format("unknown SIMD level '{}', usable here: {}", wanted, fmt::join(names(usable), ", ")));
 }
 
-SimdLevel default_simd_level() {
+SimdLevel best_simd_level() {
+    const SimdLevel highest = usable_simd_levels().back();
+    return highest < SimdLevel::x86_64_v4 ? highest : best_of_v4();
+}
+
+std::optional<SimdLevel> asked_simd_level(const std::string& named) {
+    if (!named.empty()) {
+        return usable_simd_level(named);
+    }
     const char* wanted = std::getenv("LJMD_SIMD");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
-    return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : best_simd_level();
+    return wanted != nullptr && *wanted != '\0' ? std::optional(usable_simd_level(wanted)) : std::nullopt;
+}
+
+SimdLevel default_simd_level(const std::string& named) {
+    return asked_simd_level(named).value_or(best_simd_level());
 }
 
 std::string_view name(Precision precision) {

@@ -20,7 +20,7 @@ using Vectors = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 ExecutionOptions options_of(int threads, const std::string& simd, const std::string& precision) {
     return {.threads = threads > 0 ? threads : default_thread_count(),
-            .simd = simd.empty() ? default_simd_level() : usable_simd_level(simd),
+            .simd = default_simd_level(simd),
             .precision = precision_of(precision)};
 }
 

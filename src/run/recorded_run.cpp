@@ -90,6 +90,22 @@ Record read_record(const fs::path& path) {
     });
 }
 
+std::optional<Deck> loaded_deck(const Record& record, const fs::path& directory, Diagnostics& diagnostics) {
+    return load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true,
+                          diagnostics, record.given);
+}
+
+/// @throws DataError  this version refuses the deck, which another one has written, or somebody has changed
+Deck accepted_deck(const Record& record, const fs::path& directory) {
+    Diagnostics diagnostics;
+    std::optional<Deck> deck = loaded_deck(record, directory, diagnostics);
+    if (!deck) {
+        throw DataError(fmt::format("{} holds a deck that this version of ljmd refuses: {}",
+                                    (directory / "run.json").string(), diagnostics.errors_without_places()));
+    }
+    return std::move(*deck);
+}
+
 }  // namespace
 
 std::string not_a_run(const fs::path& directory) {
@@ -100,6 +116,7 @@ std::string not_a_run(const fs::path& directory) {
 
 Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& settings, Diagnostics& diagnostics) {
     Record record = read_record(directory / "run.json");
+    static_cast<void>(accepted_deck(record, directory));  // mistakes of the settings are the caller's, others are not
     for (const std::string& setting : settings) {
         if (setting.starts_with("system.")) {
             throw InputError(
@@ -107,34 +124,30 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
         }
         record.settings.push_back(setting);
     }
-    const std::string name = fmt::format("deck of {}", directory.string());
-    auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics, std::move(record.given));
+    auto deck = loaded_deck(record, directory, diagnostics);
     diagnostics.throw_if_errors();
     return std::move(*deck);
 }
 
 RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     Record record = read_record(directory / "run.json");
-    Diagnostics diagnostics;
-    auto deck = load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true,
-                               diagnostics, std::move(record.given));
-    diagnostics.throw_if_errors();
-    deck->path = record.deck_file;
-    deck->directory = directory;
-    const Index room = max_steps - total_steps(deck->stages) - record.earlier.steps_added;
+    Deck deck = accepted_deck(record, directory);
+    deck.path = record.deck_file;
+    deck.directory = directory;
+    const Index room = max_steps - total_steps(deck.stages) - record.earlier.steps_added;
     if (more_steps > room) {
         throw InputError(
             fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));
     }
     record.earlier.steps_added += more_steps;
-    Stage& last = deck->stages.back();
+    Stage& last = deck.stages.back();
     if (auto& steps = record.earlier.last_stage_steps) {
         *steps = std::min(*steps + more_steps, max_steps);
         last.steps = *steps;
     } else {
         last.steps += record.earlier.steps_added;
     }
-    return {std::move(*deck), record.earlier, record.simd, record.threads, record.finished};
+    return {std::move(deck), record.earlier, record.simd, record.threads, record.finished};
 }
 
 void continue_past_errors(RecordedRun& run, Continuation& continuation, Index more_steps) {

@@ -29,6 +29,19 @@ bool is_run_of(const RecordedRun& recorded, const ChildRun& run) {
     return recorded.deck.source == run.source && recorded.deck.settings == run.settings;
 }
 
+enum class Held { nothing, this_run, another, unreadable };
+
+Held held_in(const ChildRun& run) {
+    if (!files::exists(run.directory / "run.json")) {
+        return Held::nothing;
+    }
+    try {
+        return is_run_of(recorded_run(run.directory), run) ? Held::this_run : Held::another;
+    } catch (const DataError&) {
+        return Held::unreadable;
+    }
+}
+
 bool has_checkpoint(const fs::path& directory) {
     const auto names = checkpoint_names();
     return std::any_of(names.begin(), names.end(),
@@ -130,7 +143,7 @@ void wait_for_runs(const fs::path& folder, const Interruption& interruption,
 }
 
 bool holds_another_run(const ChildRun& run) {
-    return files::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
+    return held_in(run) == Held::another;
 }
 
 std::optional<Job> next_job(const ChildRun& run) {
@@ -150,14 +163,8 @@ std::optional<Job> next_job(const ChildRun& run) {
 }
 
 void forget_another_run(const ChildRun& run) {
-    const auto is_another = [&] {
-        try {
-            return holds_another_run(run);
-        } catch (const DataError&) {
-            return true;
-        }
-    };
-    if (!DirectoryLock::is_held(run.directory) && is_another()) {
+    const Held held = held_in(run);
+    if (!DirectoryLock::is_held(run.directory) && (held == Held::another || held == Held::unreadable)) {
         files::remove(run.directory / "run.json");
     }
 }

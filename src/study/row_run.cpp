@@ -39,21 +39,12 @@ RowRun::RowRun(const VerletRow& row, const fs::path& folder, const ReproductionL
            .directory = folder / row_name(row),
            .log = folder / (row_name(row) + ".log")} {}
 
-std::optional<Job> RowRun::begin() {
-    try {
-        const auto job = next_job(run_);
-        return job ? job : after(0);
-    } catch (const DataError& error) {  // a damaged run.json
-        failure_ = fmt::format("{}: {}", run_.name, error.what());
-        return std::nullopt;
-    }
+std::optional<Job> RowRun::first_job() {
+    auto job = ljmd::next_job(run_);
+    return job ? job : next_job();
 }
 
-std::optional<Job> RowRun::after(int exit_status) {
-    if (exit_status != 0) {
-        failure_ = failure_of(run_, exit_status);
-        return std::nullopt;
-    }
+std::optional<Job> RowRun::next_job() {
     result_ = evaluate_row(row_, run_.directory);
     return result_->precise(length_) ? std::nullopt : std::optional(longer(run_, length_.production));
 }

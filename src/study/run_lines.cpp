@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
@@ -74,7 +75,30 @@ class Pass {
     const Ended& ended_;
 };
 
+/// @return nothing if it throws: then the line has failed
+template <class Find>
+std::optional<Job> job_or_failure(RunLine& line, const Find& find) {
+    try {
+        return find();
+    } catch (const Error& error) {
+        line.set_failure(fmt::format("{}: {}", line.run().name, error.what()));
+        return std::nullopt;
+    }
+}
+
 }  // namespace
+
+std::optional<Job> RunLine::begin() {
+    return job_or_failure(*this, [this] { return first_job(); });
+}
+
+std::optional<Job> RunLine::after(int exit_status) {
+    if (exit_status != 0) {
+        failure_ = failure_of(run(), exit_status);
+        return std::nullopt;
+    }
+    return job_or_failure(*this, [this] { return next_job(); });
+}
 
 void run_lines(const std::vector<RunLine*>& lines, int jobs, const Interruption& interruption,
                const std::function<void(RunLine& line, std::size_t done)>& ended,

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/execution/ranks.hpp"
 

@@ -361,6 +361,44 @@ def case_refused(t):
     check("variables of Slurm alone are no sign of MPI", done.returncode, 0, 0)
 
 
+def case_processors(t):
+    """Ranks whose processors, libraries or settings differ: what decides bits is agreed on, or the run is refused."""
+    deck = t.written(deck_of(steps=20))
+    with_fma = "avx2" in Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    if not with_fma:
+        return
+
+    def run(directory, *commands, **environment):
+        """Rank k gets the k-th of the commands' options and variables."""
+        parts = []
+        for options, variables in commands:
+            parts += [":"] * bool(parts) + ["-n", "1", *[word for each in variables for word in ("-x", each)], t.options.ljmd, *options]
+        words = [str(each) for each in (t.options.mpirun, "--oversubscribe", *parts)]
+        return subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, cwd=t.folder, check=False,
+                              env={**os.environ, **environment})
+
+    def options(directory, *more):
+        return ("run", deck, "--quiet", "--out", directory, *more)
+
+    alone = t.new()
+    t.well(0, *options(alone, "--simd", "x86-64-v3"))
+    lower = t.new()
+    done = run(lower, (options(lower), ()), (options(lower), ("LJMD_SIMD=x86-64-v3",)))
+    check("a level asked for at one rank: exit code", done.returncode, 0, 0)
+    t.same("a level asked for at one rank", alone, lower)
+    if "avx512bw" in Path("/proc/cpuinfo").read_text(encoding="utf-8"):
+        told_once(done, "all compute with x86-64-v3")
+    for what, second, words in (
+            ("levels that differ", (("--simd", "x86-64-v2"), ()), "is asked for at one rank"),
+            ("a C library without FMA", ((), ("GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA_Usable,-AVX2,-FMA4",)),
+             "the C library's exp, log")):
+        out = t.new()
+        done = run(out, (options(out, "--simd", "x86-64-v3"), ()), (options(out, *second[0]), second[1]))
+        check(f"{what}: exit code", int(done.returncode in (2, 8)), 1, 0)
+        told_once(done, words)
+        check(f"{what}: nothing is written", int(out.exists()), 0, 0)
+
+
 CASES = {name[5:]: function for name, function in list(globals().items()) if name.startswith("case_")}
 
 

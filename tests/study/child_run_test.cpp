@@ -87,7 +87,7 @@ TEST_CASE("a run of another deck or with other settings is another one, and not 
     forget_another_run(run_in(folder, {}));
     CHECK(verb(next_job(run_in(folder, {}))).first == "run");
     std::ofstream(run.directory / "run.json") << "{";
-    CHECK_THROWS_AS(holds_another_run(run), DataError);
+    CHECK_FALSE(holds_another_run(run));  // not known to be another
     CHECK_THROWS_AS(next_job(run), DataError);
     forget_another_run(run);
     CHECK(verb(next_job(run)).first == "run");

@@ -28,27 +28,24 @@ class Line : public RunLine {
     }
 
     [[nodiscard]] const ChildRun& run() const override { return run_; }
-    std::optional<Job> begin() override {
+
+    int begun = 0;
+    int ended_well = 0;  ///< jobs
+
+  private:
+    std::optional<Job> first_job() override {
         ++begun;
         return next();
     }
-    std::optional<Job> after(int status) override {
-        statuses.push_back(status);
+    std::optional<Job> next_job() override {
+        ++ended_well;
         return next();
     }
-    [[nodiscard]] const std::string& failure() const override { return failure_; }
-    void set_failure(std::string why) override { failure_ = std::move(why); }
-
-    int begun = 0;
-    std::vector<int> statuses{};
-
-  private:
     std::optional<Job> next() { return taken_ < jobs_.size() ? std::optional(jobs_[taken_++]) : std::nullopt; }
 
     ChildRun run_;
     std::vector<Job> jobs_;
     std::size_t taken_ = 0;
-    std::string failure_;
 };
 
 /// Names of lines in the order in which they came to their ends, and what was told meanwhile.
@@ -82,9 +79,9 @@ TEST_CASE("each line is told of when it is at its end, and its jobs write one lo
     CHECK(course.ended == Names{"a", "b", "c"});
     CHECK(course.counts == std::vector<std::size_t>{1, 2, 3});
     CHECK(course.told.empty());
-    CHECK(lines[0].statuses == std::vector<int>{0, 0});
-    CHECK(lines[1].statuses.empty());
-    CHECK(lines[2].statuses == std::vector<int>{0});
+    CHECK(lines[0].ended_well == 2);
+    CHECK(lines[1].ended_well == 0);
+    CHECK(lines[2].ended_well == 1);
     const std::string said = content_of(folder / "c.log");
     CHECK(said.find("of an earlier") == std::string::npos);
     CHECK(content_of(folder / "a.log") == said);  // of the last job alone
@@ -129,7 +126,7 @@ TEST_CASE("a run that fails has the exit code in its log") {
     const TemporaryFolder folder;
     std::vector<Line> lines{{folder, "a", {{{"--no-such-option"}, "unused"}}}};
     CHECK(course_of(lines).ended == Names{"a"});
-    REQUIRE(lines[0].statuses.size() == 1);
-    CHECK(lines[0].statuses[0] != 0);
+    CHECK(lines[0].ended_well == 0);
+    CHECK(lines[0].failure().starts_with("a: exit code "));
     CHECK(recorded_failure(folder / "a.log").starts_with("exit code "));
 }

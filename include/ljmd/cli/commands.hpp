@@ -90,7 +90,7 @@ struct AnalyzeOptions {
 /// ljmd run DECK
 /// @param out       replaces the deck's output directory unless empty
 /// @param walltime  stop after this time, "2h"; empty: no limit
-void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime = "");
+void run_command(DeckOptions options, const std::string& out, const std::string& walltime = "");
 
 /// ljmd resume RUNDIR: resume a run from its last checkpoint.
 void resume_command(const ResumeOptions& options);

@@ -28,6 +28,13 @@ void refuse_ranks(const std::string& command);
 /// @throws what `work` throws; RankLost if another rank says why
 void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<void()>& work);
 
+/// The name of the SIMD level with which all ranks compute, see agreed_level(). Rank 0 warns if a rank by itself would
+/// take another one. Collective.
+/// @param ranks  null: this process alone, which takes what is named
+/// @param named  on the command line; empty: nothing
+/// @throws InputError, at one rank; RankLost elsewhere
+[[nodiscard]] std::string agreed_simd(const std::shared_ptr<Ranks>& ranks, const std::string& named);
+
 /// Require that all ranks have read the same deck and the same start file, and that ranks can share the run.
 /// Collective.
 /// @throws InputError, at rank 0; RankLost elsewhere

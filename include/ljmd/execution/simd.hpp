@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +28,17 @@ enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256,
 /// The level with this name. @throws InputError if it is unknown, or not available in this processor or program
 [[nodiscard]] SimdLevel usable_simd_level(const std::string& name);
 
-/// Level of an Execution that is not given one: the one named by the environment variable LJMD_SIMD, else the highest
-/// usable; with AVX-512 v4_intel on Intel's processors, v4_256 on Zen 4, v4 on others.
+/// The highest usable level that is made for this processor: with AVX-512 v4_intel on Intel's, v4_256 on Zen 4, v4 on
+/// others.
+[[nodiscard]] SimdLevel best_simd_level();
+
+/// The level named here, else by the environment variable LJMD_SIMD; none: the best one is to be taken.
 /// @throws InputError as usable_simd_level
-[[nodiscard]] SimdLevel default_simd_level();
+[[nodiscard]] std::optional<SimdLevel> asked_simd_level(const std::string& named = {});
+
+/// Level of an Execution that is not given one: the one asked for, else the best.
+/// @throws InputError as usable_simd_level
+[[nodiscard]] SimdLevel default_simd_level(const std::string& named = {});
 
 /// Precision of the pair sum. Positions, velocities, totals and integration are always in double.
 enum class Precision {

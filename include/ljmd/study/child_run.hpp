@@ -37,8 +37,8 @@ void check_places(const ChildRun& run);
 void wait_for_runs(const std::filesystem::path& folder, const Interruption& interruption,
                    const std::function<void(const std::string&)>& tell);
 
-/// Whether the directory holds a run of another deck or with other settings.
-/// @throws DataError  its run.json is damaged
+/// Whether the directory holds a run of another deck or with other settings. One whose run.json cannot be read is not
+/// known to be another: when its turn comes it fails by itself.
 [[nodiscard]] bool holds_another_run(const ChildRun& run);
 
 /// The job that completes the run: `ljmd resume` if this run has left a checkpoint, else `ljmd run`; nothing if it is

@@ -16,16 +16,13 @@ class PointRun : public RunLine {
     PointRun(ChildRun run, std::vector<std::string> values);
 
     [[nodiscard]] const ChildRun& run() const override { return run_; }
-    [[nodiscard]] std::optional<Job> begin() override;
-    [[nodiscard]] std::optional<Job> after(int exit_status) override;
-    [[nodiscard]] const std::string& failure() const override { return point_.failure; }
-    void set_failure(std::string why) override { point_.failure = std::move(why); }
 
     /// What is known: its results when it is at its end.
-    [[nodiscard]] const SweptPoint& point() const { return point_; }
+    [[nodiscard]] SweptPoint point() const;
 
   private:
-    void take_results();
+    [[nodiscard]] std::optional<Job> first_job() override;
+    [[nodiscard]] std::optional<Job> next_job() override;
 
     ChildRun run_;
     SweptPoint point_;

@@ -24,10 +24,6 @@ class RowRun : public RunLine {
     [[nodiscard]] static std::string deck_name(const VerletRow& row) { return row_name(row) + ".toml"; }
 
     [[nodiscard]] const ChildRun& run() const override { return run_; }
-    [[nodiscard]] std::optional<Job> begin() override;
-    [[nodiscard]] std::optional<Job> after(int exit_status) override;
-    [[nodiscard]] const std::string& failure() const override { return failure_; }
-    void set_failure(std::string why) override { failure_ = std::move(why); }
 
     /// What was found, as far as the run has come; nothing before it has come to the end of its first part.
     [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
@@ -39,11 +35,13 @@ class RowRun : public RunLine {
     void prepare(const OpenDirectory& folder) const;
 
   private:
+    [[nodiscard]] std::optional<Job> first_job() override;
+    [[nodiscard]] std::optional<Job> next_job() override;
+
     VerletRow row_;
     ReproductionLength length_;
     ChildRun run_;
     std::optional<ReproducedRow> result_;
-    std::string failure_;
 };
 
 /// The rows that are asked for, and how long their runs are.

@@ -4,13 +4,15 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/study/child_run.hpp"
 
 namespace ljmd {
 
-/// A run of a study on its way to its end: jobs that follow one another.
+/// A run of a study on its way to its end: jobs that follow one another. One whose record cannot be read fails by
+/// itself: the other runs of the study go on.
 class RunLine {
   public:
     RunLine() = default;
@@ -22,17 +24,26 @@ class RunLine {
 
     [[nodiscard]] virtual const ChildRun& run() const = 0;
 
-    /// The first job, from what is in the directory of the run; nothing if the run is at its end.
-    [[nodiscard]] virtual std::optional<Job> begin() = 0;
+    /// The first job, from what is in the directory of the run; nothing if the run is at its end or has failed.
+    [[nodiscard]] std::optional<Job> begin();
 
     /// The next job after one has ended; nothing if the run is at its end or has failed.
-    [[nodiscard]] virtual std::optional<Job> after(int exit_status) = 0;
+    [[nodiscard]] std::optional<Job> after(int exit_status);
 
     /// Why it has failed, "NAME: exit code 5: error: ..."; empty if it has not.
-    [[nodiscard]] virtual const std::string& failure() const = 0;
+    [[nodiscard]] const std::string& failure() const { return failure_; }
 
     /// Take it as failed, because another process has tried it. @param why  as failure()
-    virtual void set_failure(std::string why) = 0;
+    void set_failure(std::string why) { failure_ = std::move(why); }
+
+  private:
+    /// As begin(). @throws Error  what is in the directory cannot be used
+    [[nodiscard]] virtual std::optional<Job> first_job() = 0;
+
+    /// As after(), for a job that has ended well. @throws Error  what it has left cannot be used
+    [[nodiscard]] virtual std::optional<Job> next_job() = 0;
+
+    std::string failure_;
 };
 
 /// Pointers to lines of one type.

@@ -25,32 +25,21 @@ class ReplicaRun : public RunLine {
     ReplicaRun(ChildRun run, Index steps_added) : run_(std::move(run)), steps_added_(steps_added) {}
 
     [[nodiscard]] const ChildRun& run() const override { return run_; }
-    [[nodiscard]] const std::string& failure() const override { return failure_; }
-    void set_failure(std::string why) override { failure_ = std::move(why); }
-
-    std::optional<Job> begin() override {
-        auto job = next_job(run_);
-        return job ? job : lengthening();
-    }
-
-    std::optional<Job> after(int exit_status) override {
-        if (exit_status != 0) {
-            failure_ = failure_of(run_, exit_status);
-            return std::nullopt;
-        }
-        return lengthening();
-    }
 
   private:
+    std::optional<Job> first_job() override {
+        auto job = ljmd::next_job(run_);
+        return job ? job : next_job();
+    }
+
     /// The job that adds the steps that this run does not have yet.
-    [[nodiscard]] std::optional<Job> lengthening() const {
+    std::optional<Job> next_job() override {
         const Index missing = steps_added_ - recorded_run(run_.directory).earlier.steps_added;
         return missing > 0 ? std::optional(longer(run_, missing)) : std::nullopt;
     }
 
     ChildRun run_;
     Index steps_added_;
-    std::string failure_;
 };
 
 }  // namespace

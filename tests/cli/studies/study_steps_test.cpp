@@ -20,15 +20,13 @@ class Line : public RunLine {
         run_.name = std::move(name);
     }
     [[nodiscard]] const ChildRun& run() const override { return run_; }
-    std::optional<Job> begin() override { return finished_ ? std::nullopt : std::optional(Job{}); }
-    std::optional<Job> after(int) override { return std::nullopt; }
-    [[nodiscard]] const std::string& failure() const override { return failure_; }
-    void set_failure(std::string why) override { failure_ = std::move(why); }
 
   private:
+    std::optional<Job> first_job() override { return finished_ ? std::nullopt : std::optional(Job{}); }
+    std::optional<Job> next_job() override { return std::nullopt; }
+
     bool finished_;
     ChildRun run_;
-    std::string failure_;
 };
 
 }  // namespace
