@@ -56,7 +56,8 @@ Curve::const_iterator with_slow_fluctuations(Curve::const_iterator chosen, Curve
     return largest;
 }
 
-Estimate choose_level(double mean, Index samples, const Curve& curve) {
+/// @param least  samples: the error of blocks up to this length is not to be larger than the one that is chosen
+Estimate choose_level(double mean, Index samples, const Curve& curve, Index least = 1) {
     if (samples < fallback_blocks || !std::isfinite(curve.front().standard_error)) {
         return {mean, nan, nan, samples, false};
     }
@@ -70,11 +71,13 @@ Estimate choose_level(double mean, Index samples, const Curve& curve) {
     });
     const auto few = std::find_if(curve.begin(), curve.end(),
                                   [](const BlockLevel& level) { return level.blocks < fallback_blocks; });
-    const auto chosen = long_enough != curve.end()
-                            ? with_slow_fluctuations(long_enough, curve.end())
-                            : std::max_element(curve.begin(), few, [](const BlockLevel& a, const BlockLevel& b) {
-                                  return a.standard_error < b.standard_error;
-                              });
+    const auto is_smaller = [](const BlockLevel& a, const BlockLevel& b) {
+        return a.standard_error < b.standard_error;
+    };
+    const auto of_series = long_enough != curve.end() ? with_slow_fluctuations(long_enough, curve.end())
+                                                      : std::max_element(curve.begin(), few, is_smaller);
+    const auto longer = std::find_if(of_series, few, [=](const BlockLevel& level) { return level.length > least; });
+    const auto chosen = longer == of_series ? of_series : std::max_element(of_series, longer, is_smaller);
     const double ratio =
         shortest_error / chosen->standard_error;  // infinite if blocks of an alternating series are equal
     const double independent = n * std::min(1.0, ratio * ratio);
@@ -211,7 +214,8 @@ Estimate BlockingAccumulator::estimate(Index component) const {
     return choose_level(mean()(component), samples(), levels(component));
 }
 
-Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient) const {
+Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient,
+                                       const std::vector<Index>& more) const {
     if (covariance_ != Covariance::full) {
         throw InputError("the error of a function of means needs block averages with Covariance::full");
     }
@@ -229,7 +233,22 @@ Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& grad
         }
         return sum < 0.0 ? 0.0 : sum;
     };
-    return choose_level(value, samples(), curve(along_gradient));
+    Index longest = 1;
+    bool converged = true;
+    const auto add_part = [&](Index component) {
+        const Estimate part = estimate(component);
+        longest = std::max(longest, part.samples / std::max<Index>(part.blocks, 1));
+        converged = converged && part.converged;
+    };
+    for (Index component = 0; component < width_; ++component) {
+        if (gradient[component] != 0.0) {
+            add_part(component);
+        }
+    }
+    std::ranges::for_each(more, add_part);
+    Estimate found = choose_level(value, samples(), curve(along_gradient), longest);
+    found.converged = found.converged && converged;
+    return found;
 }
 
 }  // namespace ljmd
