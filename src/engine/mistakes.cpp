@@ -126,8 +126,9 @@ std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
         if (stage.sample && stage.steps > 0) {
             if (reversed != nullptr) {
                 const std::string turned =
-                    reversed == &stage ? "turns the motion round and is sampled"
-                                       : fmt::format("is sampled after '{}' has turned the motion round", reversed->name);
+                    reversed == &stage
+                        ? "turns the motion round and is sampled"
+                        : fmt::format("is sampled after '{}' has turned the motion round", reversed->name);
                 found.add({"sample", "reverse"},
                           fmt::format("stage '{}' {}: what '{}' has sampled would count as new when it comes again",
                                       stage.name, turned, sampled->name),

@@ -134,8 +134,8 @@ Merged merged(const std::vector<const Found*>& runs, std::size_t count) {
     Merged all{{first.name, symbol_of(first.name), first.unit, std::nullopt},
                {no_number, no_number, no_number, no_number, true}};
     std::vector<std::string> remarks = remarks_of(runs);
-    const auto valued = static_cast<std::size_t>(
-        std::ranges::count_if(runs, [](const Found* run) { return run->mean.has_value(); }));
+    const auto valued =
+        static_cast<std::size_t>(std::ranges::count_if(runs, [](const Found* run) { return run->mean.has_value(); }));
     if (valued < count) {
         if (valued > 0) {
             remarks.insert(remarks.begin(), fmt::format("{} of {} replicas have no value", count - valued, count));
@@ -160,11 +160,12 @@ Merged merged(const std::vector<const Found*>& runs, std::size_t count) {
     all.average.estimate = Estimate{all.mean.mean, all.mean.standard_error, std::clamp(counted, 1.0, samples),
                                     static_cast<Index>(samples), known || runs.size() >= enough_runs};
     if (!all.mean.agree) {
-        remarks.emplace_back("the replicas differ by more than their errors let expect: its error is from their scatter");
+        remarks.emplace_back(
+            "the replicas differ by more than their errors let expect: its error is from their scatter");
     } else if (!known && runs.size() > 1) {
         const auto guesses = std::ranges::count(means, false, &ReplicaMean::converged);
-        remarks.push_back(fmt::format("the error bars of {} of {} replicas are guesses: its error is from their scatter",
-                                      guesses, runs.size()));
+        remarks.push_back(fmt::format(
+            "the error bars of {} of {} replicas are guesses: its error is from their scatter", guesses, runs.size()));
     }
     all.average.remark = fmt::format("{}", fmt::join(remarks, "; "));
     return all;

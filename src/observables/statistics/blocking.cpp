@@ -21,6 +21,8 @@ constexpr Index fallback_blocks = 4;
 constexpr double few_samples = 16.0;    // independent samples; fewer do not support an error bar
 constexpr double growth_of_flat = 1.3;  // of the error at twice the block length; sqrt(2) for short blocks
 constexpr Index blocks_for_slow = 32;   // at least, of blocks that may show slow fluctuations
+constexpr Index most_parts = 8;         // of a function; sums of more, of shells or layers, are series of their own
+constexpr double negligible = 0.1;      // error of a part, of that of the function: a volume that rounding changes
 constexpr double excess = 1.5;          // of their error, in units of its scatter
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -233,20 +235,28 @@ Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& grad
         }
         return sum < 0.0 ? 0.0 : sum;
     };
+    const std::vector<BlockLevel> levels = curve(along_gradient);
+    const double alone = choose_level(value, samples(), levels).standard_error;
     Index longest = 1;
     bool converged = true;
-    const auto add_part = [&](Index component) {
-        const Estimate part = estimate(component);
+    const auto add_part = [&](const Estimate& part) {
         longest = std::max(longest, part.samples / std::max<Index>(part.blocks, 1));
         converged = converged && part.converged;
     };
-    for (Index component = 0; component < width_; ++component) {
+    // Of many the longest blocks are long by chance.
+    const bool of_few = (gradient.array() != 0.0).count() <= most_parts;
+    for (Index component = 0; component < width_ && of_few; ++component) {
         if (gradient[component] != 0.0) {
-            add_part(component);
+            const Estimate part = estimate(component);
+            if (!(std::abs(gradient[component]) * part.standard_error < negligible * alone)) {
+                add_part(part);
+            }
         }
     }
-    std::ranges::for_each(more, add_part);
-    Estimate found = choose_level(value, samples(), curve(along_gradient), longest);
+    for (const Index component : more) {
+        add_part(estimate(component));
+    }
+    Estimate found = choose_level(value, samples(), levels, longest);
     found.converged = found.converged && converged;
     return found;
 }

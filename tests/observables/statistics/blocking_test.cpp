@@ -298,9 +298,9 @@ TEST_CASE("The error of a function is the largest of blocks up to the longest th
         CHECK(whole.standard_error == Approx(largest).epsilon(1e-12));
         CHECK(whole.mean == alone.mean);
         longer += whole.standard_error > 1.05 * alone.standard_error ? 1 : 0;
-        // The same by the gradient, with so little of the part that it does not change the series.
-        const Estimate by_gradient = blocks.estimate(alone.mean, Eigen::Vector2d(1e-12, 1.0));
-        CHECK(by_gradient.standard_error == Approx(largest).epsilon(1e-9));
+        // A part that contributes next to nothing changes nothing.
+        const Estimate with_traces = blocks.estimate(alone.mean, Eigen::Vector2d(1e-6, 1.0));
+        CHECK(with_traces.standard_error == Approx(alone.standard_error).epsilon(1e-3));
     }
     CHECK(longer >= 10);
 }

@@ -16,10 +16,10 @@ namespace ljmd {
 /// The compressibility factor is a ratio of means, Z = <p>/(<rho> <T>); its error includes the correlations of the
 /// three (delta method).
 ///
-/// Pairs that form and part slowly, as in a gas, are hidden in the pressure below the noise of the motion, in the virial
-/// and in Z below that of collisions. They show in the potential energy. So all that the forces contribute to counts it
-/// among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy needs,
-/// and a guess if that of the potential energy is one.
+/// Pairs that form and part slowly, as in a gas, are hidden in the pressure below the noise of the motion, in the
+/// virial and in Z below that of collisions. They show in the potential energy. So all that the forces contribute to
+/// counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy
+/// needs, and a guess if that of the potential energy is one.
 ///
 /// The heat capacity at constant volume follows from fluctuations: of the temperature at constant
 /// energy, of the potential energy u per atom in the canonical ensemble. It includes the 3/2 of the motion of all N
