@@ -79,9 +79,9 @@ void require_usable(const fs::path& out, bool force) {
 
 void tell_row(const RunLine& line, std::size_t done, std::size_t all) {
     const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *dynamic_cast<const RowRun&>(line).result();
-    print_message(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
-                              verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error,
-                              steps));
+    print_message(fmt::format("[{}/{}] rho {} T {}: Z {}, U {} in {} steps\n", done, all, verlet.density,
+                              verlet.temperature, with_error(z.mean, z.standard_error),
+                              with_error(u.mean, u.standard_error), steps));
 }
 
 /// A worker. @throws InputError  the directory holds no reproduced table that was prepared

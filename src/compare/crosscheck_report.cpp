@@ -29,9 +29,9 @@ std::string average_lines(const EnsembleComparison& ensemble, const std::string&
                      {"error", Align::right, width},
                      {"sigmas", Align::right, 7}});
     for (const auto& row : ensemble.rows) {
-        table.add({row.name, fmt::format("{:.6f}", row.ours.mean), fmt::format("{:.6f}", row.ours.standard_error),
-                   fmt::format("{:.6f}", row.theirs.mean), fmt::format("{:.6f}", row.theirs.standard_error),
-                   fmt::format("{:.2f}", row.sigmas())});
+        const auto [ours, our_error] = mean_and_error(row.ours.mean, row.ours.standard_error);
+        const auto [theirs, their_error] = mean_and_error(row.theirs.mean, row.theirs.standard_error);
+        table.add({row.name, ours, our_error, theirs, their_error, fmt::format("{:.2f}", row.sigmas())});
     }
     return table.text() +
            "pressures are (2 K + W)/(3 V), as LAMMPS prints them: a convention; rho T + W/(3 V), as a run of ljmd has "

@@ -109,8 +109,16 @@ std::string with_error(double mean, double error) {
         return without_negative_zero(fmt::format("{:.6g}", mean));
     }
     constexpr int max_decimals = 12;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, max_decimals);
-    return without_negative_zero(fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals));
+    constexpr int all_digits = 15;  // of a double
+    const auto power_of = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
+    const int decimals = std::max(1 - power_of(error), 0);
+    if (decimals <= max_decimals) {
+        return without_negative_zero(fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals));
+    }
+    // So small an error would be rounded to 0.
+    const bool has_digits = std::isfinite(mean) && mean != 0.0;
+    const int digits = has_digits ? std::clamp(power_of(std::abs(mean)) + decimals + 1, 1, all_digits) : 1;
+    return fmt::format("{:.{}g} +- {:.2g}", without_negative_zero(mean), digits, error);
 }
 
 std::string_view trimmed(std::string_view text) {

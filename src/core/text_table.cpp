@@ -98,4 +98,14 @@ std::string TextTable::text_of(const std::vector<std::size_t>& widths) const {
     return text;
 }
 
+std::pair<std::string, std::string> mean_and_error(double mean, double error) {
+    constexpr std::string_view between = " +- ";
+    const std::string both = with_error(mean, error);
+    const std::size_t at = both.find(between);
+    if (at == std::string::npos) {
+        return {both, error == 0.0 ? "0" : "-"};
+    }
+    return {both.substr(0, at), both.substr(at + between.size())};
+}
+
 }  // namespace ljmd

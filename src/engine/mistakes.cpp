@@ -119,7 +119,23 @@ std::vector<Mistake> stage_mistakes(const std::vector<Stage>& stages) {
 }
 
 std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
-    return judged(stages, [](const Stage& stage, Mistakes& found) {
+    const Stage* sampled = nullptr;
+    const Stage* reversed = nullptr;  // the first one after it
+    return judged(stages, [&](const Stage& stage, Mistakes& found) {
+        reversed = reversed == nullptr && sampled != nullptr && stage.reverse ? &stage : reversed;
+        if (stage.sample && stage.steps > 0) {
+            if (reversed != nullptr) {
+                const std::string turned =
+                    reversed == &stage
+                        ? "turns the motion round and is sampled"
+                        : fmt::format("is sampled after '{}' has turned the motion round", reversed->name);
+                found.add({"sample", "reverse"},
+                          fmt::format("stage '{}' {}: what '{}' has sampled would count as new when it comes again",
+                                      stage.name, turned, sampled->name),
+                          "set sample = false in it, or in the stages before the reversal");
+            }
+            sampled = sampled == nullptr ? &stage : sampled;
+        }
         if (!stage.integrator.options || (stage.thermostat && !stage.thermostat->options) ||
             (stage.barostat && !stage.barostat->options)) {
             found.add({},

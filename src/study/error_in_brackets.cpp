@@ -19,7 +19,8 @@ std::string with_error_in_brackets(double mean, double standard_error) {
     if (digits > 0 && standard_error * std::pow(10.0, digits) >= three_digits) {
         --digits;
     }
-    return without_negative_zero(fmt::format("{:.{}f}({:.0f})", mean, digits, standard_error * std::pow(10.0, digits)));
+    const double in_last_digits = std::max(1.0, standard_error * std::pow(10.0, digits));  // no error rounds to 0
+    return without_negative_zero(fmt::format("{:.{}f}({:.0f})", mean, digits, in_last_digits));
 }
 
 }  // namespace ljmd

@@ -1,12 +1,15 @@
 #include "ljmd/study/replicas.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -29,6 +32,8 @@ namespace fs = std::filesystem;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 2> merged_tables{"rdf", "sk"};  // those whose rows are averages at fixed places
+/// As many as independent samples are asked for elsewhere: the scatter of so many runs is known to 18 %.
+constexpr std::size_t enough_runs = 16;
 constexpr const char* seed_key = "system.seed";
 
 /// A stage name as a part of a key.
@@ -47,11 +52,17 @@ std::uint64_t seed_of(const Deck& deck) {
     return static_cast<std::uint64_t>(deck.system().seed);
 }
 
+/// Without the note that the error bar is a guess, which is told of the merged one.
+std::string without_guess(const std::string& remark) {
+    const std::size_t at = remark.find(guessed_error);
+    return at == std::string::npos ? remark : remark.substr(0, at >= 2 ? at - 2 : 0);
+}
+
 /// An observable of one run, from its results.json.
 struct Found {
     std::string name;
     std::string unit;
-    ReplicaMean mean;
+    std::optional<ReplicaMean> mean;  ///< empty if it has no value
     double independent;
     std::string remark;
 };
@@ -59,23 +70,29 @@ struct Found {
 struct FoundRun {
     std::vector<Found> observables;
     std::vector<std::string> doubts;
+
+    /// Samples of the first observable that has a value; 1 if none has.
+    [[nodiscard]] double samples() const {
+        const auto valued =
+            std::ranges::find_if(observables, [](const Found& found) { return found.mean.has_value(); });
+        return valued != observables.end() ? valued->mean->samples : 1.0;
+    }
 };
 
 FoundRun found_run(const ChildRun& run) {
     return read_json(run.directory / "results.json", "the results of a run", [](const Data& results) {
         FoundRun found;
         for (const auto& [name, entry] : results.at("observables").members()) {
-            if (entry.at("mean").is_null()) {
-                continue;
+            std::optional<ReplicaMean> mean;
+            if (!entry.at("mean").is_null()) {
+                mean = {entry.at("mean").number(), number_or(entry.find("standard_error"), no_number),
+                        static_cast<double>(integer_of(entry.at("samples"), "samples", 1, max_steps)),
+                        entry.at("error_is_converged").flag()};
             }
             const Data* remark = entry.find("remark");
-            found.observables.push_back({name,
-                                         entry.at("unit").text(),
-                                         {entry.at("mean").number(), number_or(entry.find("standard_error"), no_number),
-                                          static_cast<double>(integer_of(entry.at("samples"), "samples", 1, max_steps)),
-                                          entry.at("error_is_converged").flag()},
+            found.observables.push_back({name, entry.at("unit").text(), mean,
                                          number_or(entry.find("independent_samples"), no_number),
-                                         remark != nullptr ? remark->text() : ""});
+                                         remark != nullptr ? without_guess(remark->text()) : ""});
         }
         for (const Data& doubt : results.at("doubts").items()) {
             found.doubts.push_back(doubt.text());
@@ -87,36 +104,101 @@ FoundRun found_run(const ChildRun& run) {
 /// An observable of all runs.
 struct Merged {
     ObservableAverage average;
-    MergedMean mean;
+    MergedMean mean;  ///< NaN if the observable has no value
 };
 
-/// Nothing if a run lacks it.
-std::optional<Merged> merged(const Found& first, const std::vector<FoundRun>& runs) {
+/// The remarks of the runs on an observable, each once, with the number of runs that have it; of many the first.
+std::vector<std::string> remarks_of(const std::vector<const Found*>& runs) {
+    std::vector<std::string> remarks;
+    for (const Found* run : runs) {
+        const auto has_it = [run](const Found* other) { return other->remark == run->remark; };
+        const bool first = run == *std::ranges::find_if(runs, has_it);
+        if (first && !run->remark.empty()) {
+            const auto count = std::ranges::count_if(runs, has_it);
+            remarks.push_back(std::cmp_equal(count, runs.size())
+                                  ? run->remark
+                                  : fmt::format("in {} of {} replicas: {}", count, runs.size(), run->remark));
+        }
+    }
+    if (constexpr std::size_t many = 3; remarks.size() >= many) {
+        const auto count = std::ranges::count_if(runs, [](const Found* run) { return !run->remark.empty(); });
+        return {fmt::format("{} of {} replicas have remarks, {}", count, runs.size(), remarks.front())};
+    }
+    return remarks;
+}
+
+/// There is no value where a run has none: those that have one are no fair choice of the runs.
+/// @param runs   those that have the observable  @param count  of all runs
+Merged merged(const std::vector<const Found*>& runs, std::size_t count) {
+    const Found& first = *runs.front();
+    Merged all{{first.name, symbol_of(first.name), first.unit, std::nullopt},
+               {no_number, no_number, no_number, no_number, true}};
+    std::vector<std::string> remarks = remarks_of(runs);
+    const auto valued =
+        static_cast<std::size_t>(std::ranges::count_if(runs, [](const Found* run) { return run->mean.has_value(); }));
+    if (valued < count) {
+        if (valued > 0) {
+            remarks.insert(remarks.begin(), fmt::format("{} of {} replicas have no value", count - valued, count));
+        }
+        all.average.remark = fmt::format("{}", fmt::join(remarks, "; "));
+        return all;
+    }
     std::vector<ReplicaMean> means;
     means.reserve(runs.size());
     double independent = 0.0;
     double samples = 0.0;
-    for (const FoundRun& run : runs) {
-        const auto found = std::ranges::find(run.observables, first.name, &Found::name);
-        if (found == run.observables.end()) {
-            return std::nullopt;
-        }
-        means.push_back(found->mean);
-        independent += found->independent;
-        samples += found->mean.samples;
+    for (const Found* run : runs) {
+        means.push_back(*run->mean);
+        independent += run->independent;
+        samples += run->mean->samples;
     }
-    const MergedMean mean = merged_mean(means);
+    all.mean = merged_mean(means);
     // A larger error counts fewer samples as independent.
-    const double larger = mean.standard_error / mean.within;
+    const double larger = all.mean.standard_error / all.mean.within;
     const double counted = std::isfinite(larger) && larger > 0.0 ? independent / (larger * larger) : independent;
-    const bool converged = runs.size() > 1 || means.front().converged;
-    ObservableAverage average{first.name, symbol_of(first.name), first.unit,
-                              Estimate{mean.mean, mean.standard_error, std::clamp(counted, 1.0, samples),
-                                       static_cast<Index>(samples), converged}};
-    if (!mean.agree) {
-        average.remark = "the replicas differ by more than their errors let expect: its error is from their scatter";
+    const bool known = std::ranges::all_of(means, &ReplicaMean::converged);
+    all.average.estimate = Estimate{all.mean.mean, all.mean.standard_error, std::clamp(counted, 1.0, samples),
+                                    static_cast<Index>(samples), known || runs.size() >= enough_runs};
+    if (!all.mean.agree) {
+        remarks.emplace_back(
+            "the replicas differ by more than their errors let expect: its error is from their scatter");
+    } else if (!known && runs.size() > 1) {
+        const auto guesses = std::ranges::count(means, false, &ReplicaMean::converged);
+        remarks.push_back(fmt::format(
+            "the error bars of {} of {} replicas are guesses: its error is from their scatter", guesses, runs.size()));
     }
-    return Merged{average, mean};
+    all.average.remark = fmt::format("{}", fmt::join(remarks, "; "));
+    return all;
+}
+
+/// All observables, in the order in which the runs have them.
+std::vector<Merged> merged_observables(const std::vector<FoundRun>& runs) {
+    std::vector<std::string> names;
+    std::map<std::string, std::vector<const Found*>> found;
+    for (const FoundRun& run : runs) {
+        for (const Found& each : run.observables) {
+            if (found[each.name].empty()) {
+                names.push_back(each.name);
+            }
+            found[each.name].push_back(&each);
+        }
+    }
+    std::vector<Merged> all;
+    all.reserve(names.size());
+    for (const std::string& name : names) {
+        all.push_back(merged(found[name], runs.size()));
+    }
+    return all;
+}
+
+/// What is to be known of runs that have not the same length; empty if they have.
+std::string lengths_of(const std::vector<FoundRun>& runs) {
+    const auto [shortest, longest] = std::ranges::minmax_element(runs, {}, &FoundRun::samples);
+    if (shortest->samples() == longest->samples()) {
+        return "";
+    }
+    return fmt::format("the replicas have {:.0f} to {:.0f} samples: each counts by its length", shortest->samples(),
+                       longest->samples());
 }
 
 /// Doubts of the runs, each once, with the number of runs that have it.
@@ -181,22 +263,25 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
     }
     std::vector<ObservableAverage> averages;
     std::vector<MergedMean> means;
-    for (const Found& first : runs.front().observables) {
-        if (const auto both = merged(first, runs)) {
-            averages.push_back(both->average);
-            means.push_back(both->mean);
-        }
+    for (const Merged& each : merged_observables(runs)) {
+        averages.push_back(each.average);
+        means.push_back(each.mean);
     }
     Data observables = observables_data(averages, deck.units);
     for (std::size_t k = 0; k < averages.size(); ++k) {
         observables[averages[k].name]["standard_error_within"] = means[k].within;
         observables[averages[k].name]["standard_error_between"] = means[k].between;
     }
-    const std::vector<std::string> doubts = doubts_of(runs, children);
+    std::vector<std::string> doubts = doubts_of(runs, children);
+    const std::string lengths = lengths_of(runs);
+    const bool end_by_errors = !deck.stages.back().until.empty();
+    if (!lengths.empty() && !end_by_errors) {
+        doubts.push_back(lengths);
+    }
     std::vector<std::string> warnings = doubts;
     for (const ObservableAverage& average : averages) {
-        if (is_in_table(average) && !average.remark.empty()) {
-            warnings.push_back(fmt::format("{}: {}", average.name, average.remark));
+        if (const std::string remark = remark_of(average); is_in_table(average) && !remark.empty()) {
+            warnings.push_back(fmt::format("{}: {}", average.name, remark));
         }
     }
     Data list = Data::list();
@@ -205,6 +290,9 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
     }
     std::string text = fmt::format("{}\n{} replicas, merged\n\n", title_line(deck), children.size());
     text += observables_table(averages, deck.units) + samples_footnote();
+    if (!lengths.empty() && end_by_errors) {
+        text += wrapped("  " + lengths, screen_columns, 4) + '\n';
+    }
     for (const std::string& doubt : doubts) {
         text += wrapped("  warning: " + doubt, screen_columns, 4) + '\n';
     }
@@ -229,8 +317,7 @@ void write_replicas(const Document& report, const std::vector<ChildRun>& runs, c
                 break;
             }
             tables.push_back(read_csv(path));
-            const FoundRun found = found_run(run);
-            samples.push_back(found.observables.empty() ? 1.0 : found.observables.front().mean.samples);
+            samples.push_back(found_run(run).samples());
         }
         if (tables.size() == runs.size()) {
             const DataTable merged = merged_table(tables, samples);

@@ -4,6 +4,8 @@ import re
 
 from harness import ARGON, DECK, Case
 
+BACK = '[[stage]]\nname = "back"\ntime_step = 0.004\nsteps = 40\nreverse = true\n'
+
 # Each entry: name, (old, new) replacements in harness.DECK.
 VALUES = [
     # not finite, out of range, no meaning
@@ -124,6 +126,8 @@ SENSE = [
     ("Maxwell velocities without a temperature", ('lattice = { type = "fcc", cells = 3 }', 'file = "start.xyz"'),
      ("temperature = 1.0", 'velocities = "maxwell"')),
     ("time step of 0.02", ("time_step = 0.004\nsteps = 40", "time_step = 0.02\nsteps = 40")),
+    ("sampled on the way back", ("[output]", BACK + "sample = true\n\n[output]")),
+    ("sampled after the way back", ("[output]", BACK + "\n[[stage]]\nname = \"on\"\ntime_step = 0.004\nsteps = 40\nsample = true\n\n[output]")),
     ("cutoff above half the box", ("cutoff = 2.5", "cutoff = 3.0")),
     ("cutoff in angstrom", ("cutoff = 2.5", "cutoff = 8.5")),
     ("density above 1.5", ("density = 0.8442", "density = 1.6"), ("cutoff = 2.5", "cutoff = 2.0")),

@@ -52,7 +52,7 @@ TEST_CASE("the table of a comparison tells who was compared, what was found, and
           "108 atoms, after 20 steps of the deck\n", "ljmd: verlet-list, x86-64-v3, double precision, 2 threads\n",
           "potential energy      1.00e-15     1.0e-13\n", "pressure              2.00e-12     1.0e-12  FAILED\n",
           "400 steps of leapfrog, 40 configurations for g(r)\n",
-          "temperature             0.700000    0.030000    0.800000    0.040000     2.00\n",
+          "temperature                0.700       0.030       0.800       0.040     2.00\n",
           "pressures are (2 K + W)/(3 V), as LAMMPS prints them: a convention",
           "speed: ljmd 5, OpenMM 7.7 (CPU, 1 thread) 1 million atom-steps/s, ratio 5.00\n", "1 of 2 checks FAILED\n"}) {
         CHECK_THAT(table, Contains(part));

@@ -1,6 +1,7 @@
 #include "ljmd/core/text_table.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "ljmd/core/errors.hpp"
 
@@ -72,6 +73,15 @@ TEST_CASE("a table that is too wide narrows its first column, whose long entries
           "         1.5 [1]  bar\n"
           "  compressibility_factor\n"
           "        0.25      1\n");
+}
+
+TEST_CASE("a mean and its error stand in two columns, and no error above 0 is shown as 0") {
+    using Pair = std::pair<std::string, std::string>;
+    CHECK(mean_and_error(-6.08712, 0.00123) == Pair("-6.0871", "0.0012"));
+    CHECK(mean_and_error(-2.5413951, 1.1e-9) == Pair("-2.5413951000", "0.0000000011"));
+    CHECK(mean_and_error(-2.5413951, 1.1e-15) == Pair("-2.5413951", "1.1e-15"));
+    CHECK(mean_and_error(1.5, 0.0) == Pair("1.5", "0"));
+    CHECK(mean_and_error(1.5, std::numeric_limits<double>::quiet_NaN()) == Pair("1.5", "-"));
 }
 
 TEST_CASE("a row has no more entries than there are columns") {

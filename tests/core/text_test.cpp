@@ -45,6 +45,10 @@ TEST_CASE("a mean has as many decimals as its error, which has two digits") {
     CHECK(with_error(0.722, 0.021) == "0.722 +- 0.021");
     CHECK(with_error(1234.567, 123.0) == "1235 +- 123");
     CHECK(with_error(1.5, 0.0) == "1.5");
+    CHECK(with_error(-2.5413951, 1.1e-9) == "-2.5413951000 +- 0.0000000011");
+    CHECK(with_error(-2.5413951, 1.1e-15) == "-2.5413951 +- 1.1e-15");
+    CHECK(with_error(3.27e-16, 1.1e-17) == "3.27e-16 +- 1.1e-17");
+    CHECK(with_error(-0.0, 1.1e-17) == "0 +- 1.1e-17");
     CHECK(with_error(-0.0, 0.0) == "0");
     CHECK(with_error(-0.001, 0.15) == "0.00 +- 0.15");
     CHECK(with_error(1.23456789, std::numeric_limits<double>::quiet_NaN()) == "1.23457");

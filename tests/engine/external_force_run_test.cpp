@@ -207,6 +207,7 @@ TEST_CASE("bit-reversible returns to its start under an external force") {
     spec.stages.push_back(spec.stages.front());
     spec.stages.back().name = "back";
     spec.stages.back().reverse = true;
+    spec.stages.back().sample = false;
     Simulation simulation(spec);
     const std::string start = checksum(simulation.state());
     simulation.advance(60);

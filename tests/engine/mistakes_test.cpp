@@ -20,8 +20,8 @@ std::vector<Stage> stages_of(const std::string& marks) {
     std::vector<Stage> stages;
     for (const char mark : marks) {
         Stage stage{.name = std::to_string(stages.size()), .time_step = 0.1};
-        stage.sample = mark != '-';
-        stage.reverse = mark == 'r';
+        stage.sample = mark == 's' || mark == 'r';
+        stage.reverse = mark == 'r' || mark == 'R';
         stages.push_back(stage);
     }
     return stages;
@@ -91,6 +91,34 @@ TEST_CASE("sampled stages of few bodies follow one another, and none runs backwa
     CHECK_THAT(gap.message, Contains("stage '2' is sampled and so was '0', but '1' between them is not"));
     const Mistake backwards = only(few_body_sampling_mistakes(stages_of("sr")));
     CHECK(backwards.keys == std::vector<std::string>{"reverse"});
+}
+
+TEST_CASE("a fluid is not sampled on both sides of a reversal, wherever it is") {
+    const auto mistakes_of = [](const std::string& marks, const std::string& empty = "") {
+        std::vector<Stage> stages = stages_of(marks);
+        for (Stage& stage : stages) {
+            stage.steps = stage.name == empty ? 0 : 100;
+        }
+        return fluid_stage_mistakes(stages);
+    };
+    for (const char* good : {"", "ss", "-r", "-Rs", "sR", "sR-", "-r-s", "rs", "RRs", "sRR-"}) {
+        CAPTURE(good);
+        CHECK(mistakes_of(good).empty());
+    }
+    const Mistake back = only(mistakes_of("-sr"));
+    CHECK(back.index == 2);
+    CHECK(back.keys == std::vector<std::string>{"sample", "reverse"});
+    CHECK_THAT(back.message, Contains("stage '2' turns the motion round and is sampled: what '1' has sampled"));
+    const Mistake later = only(mistakes_of("sR-s"));
+    CHECK(later.index == 3);
+    CHECK_THAT(later.message, Contains("stage '3' is sampled after '1' has turned the motion round"));
+    CHECK(only(mistakes_of("sRRs")).index == 3);
+    CHECK(only(mistakes_of("-rr")).index == 2);
+    CHECK(mistakes_of("srs").size() == 2);
+    // A stage without steps takes no sample, but turns the motion round.
+    CHECK(mistakes_of("sr", "0").empty());
+    CHECK(mistakes_of("sr", "1").empty());
+    CHECK(only(mistakes_of("sRs", "1")).index == 2);
 }
 
 TEST_CASE("analyses want an unchanging box from the first sampled stage on, whatever was before") {

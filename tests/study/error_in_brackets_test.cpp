@@ -7,6 +7,7 @@ using namespace ljmd;
 
 TEST_CASE("the error has two digits, in units of the last ones of the value") {
     CHECK(with_error_in_brackets(0.9571, 0.0138) == "0.957(14)");
+    CHECK(with_error_in_brackets(0.5, 1e-17) == "0.500000000000000(1)");
     CHECK(with_error_in_brackets(-6.05472, 0.00171) == "-6.0547(17)");
     CHECK(with_error_in_brackets(0.9571, 0.0994) == "0.957(99)");
     CHECK(with_error_in_brackets(0.9571, 0.0996) == "0.96(10)");

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ljmd {
@@ -51,5 +52,8 @@ class TextTable {
     std::vector<std::vector<Entry>> rows_;  ///< the first row holds the headings
     std::size_t indent_;
 };
+
+/// A mean and its error for two columns, as with_error() has them. The error is "0" if it is 0, and "-" if unknown.
+[[nodiscard]] std::pair<std::string, std::string> mean_and_error(double mean, double error);
 
 }  // namespace ljmd

@@ -29,7 +29,8 @@ struct Mistake {
 /// Names, time steps and numbers of steps: the rules for stages of all kinds of runs.
 [[nodiscard]] std::vector<Mistake> stage_mistakes(const std::vector<Stage>& stages);
 
-/// Integrators, thermostats and barostats of a fluid's stages.
+/// Integrators, thermostats and barostats of a fluid's stages, and samples on both sides of a reversal: the second ones
+/// are not independent of the first, whether or not the motion finds its way back to the last bit.
 [[nodiscard]] std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages);
 
 /// What an external force does not go with: a barostat that is not told its virial, and analyses of the pair forces

@@ -22,9 +22,9 @@ std::string mean_lines(const std::vector<ComparedMean>& means) {
                      {"error", Align::right, width},
                      {"sigmas", Align::right, 7}});
     for (const ComparedMean& mean : means) {
-        table.add({mean.name, fmt::format("{:.6f}", mean.ours.mean), fmt::format("{:.6f}", mean.ours.standard_error),
-                   fmt::format("{:.6f}", mean.theirs.mean), fmt::format("{:.6f}", mean.theirs.standard_error),
-                   fmt::format("{:.2f}", mean.sigmas())});
+        const auto [ours, our_error] = mean_and_error(mean.ours.mean, mean.ours.standard_error);
+        const auto [theirs, their_error] = mean_and_error(mean.theirs.mean, mean.theirs.standard_error);
+        table.add({mean.name, ours, our_error, theirs, their_error, fmt::format("{:.2f}", mean.sigmas())});
     }
     return table.text() + "energies are of an atom; pressures are (2 K + W)/(3 V) and the tail\n";
 }

@@ -21,6 +21,8 @@ constexpr Index fallback_blocks = 4;
 constexpr double few_samples = 16.0;    // independent samples; fewer do not support an error bar
 constexpr double growth_of_flat = 1.3;  // of the error at twice the block length; sqrt(2) for short blocks
 constexpr Index blocks_for_slow = 32;   // at least, of blocks that may show slow fluctuations
+constexpr Index most_parts = 8;         // of a function; sums of more, of shells or layers, are series of their own
+constexpr double negligible = 0.1;      // error of a part, of that of the function: a volume that rounding changes
 constexpr double excess = 1.5;          // of their error, in units of its scatter
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -56,7 +58,8 @@ Curve::const_iterator with_slow_fluctuations(Curve::const_iterator chosen, Curve
     return largest;
 }
 
-Estimate choose_level(double mean, Index samples, const Curve& curve) {
+/// @param least  samples: the error of blocks up to this length is not to be larger than the one that is chosen
+Estimate choose_level(double mean, Index samples, const Curve& curve, Index least = 1) {
     if (samples < fallback_blocks || !std::isfinite(curve.front().standard_error)) {
         return {mean, nan, nan, samples, false};
     }
@@ -70,11 +73,13 @@ Estimate choose_level(double mean, Index samples, const Curve& curve) {
     });
     const auto few = std::find_if(curve.begin(), curve.end(),
                                   [](const BlockLevel& level) { return level.blocks < fallback_blocks; });
-    const auto chosen = long_enough != curve.end()
-                            ? with_slow_fluctuations(long_enough, curve.end())
-                            : std::max_element(curve.begin(), few, [](const BlockLevel& a, const BlockLevel& b) {
-                                  return a.standard_error < b.standard_error;
-                              });
+    const auto is_smaller = [](const BlockLevel& a, const BlockLevel& b) {
+        return a.standard_error < b.standard_error;
+    };
+    const auto of_series = long_enough != curve.end() ? with_slow_fluctuations(long_enough, curve.end())
+                                                      : std::max_element(curve.begin(), few, is_smaller);
+    const auto longer = std::find_if(of_series, few, [=](const BlockLevel& level) { return level.length > least; });
+    const auto chosen = longer == of_series ? of_series : std::max_element(of_series, longer, is_smaller);
     const double ratio =
         shortest_error / chosen->standard_error;  // infinite if blocks of an alternating series are equal
     const double independent = n * std::min(1.0, ratio * ratio);
@@ -211,7 +216,8 @@ Estimate BlockingAccumulator::estimate(Index component) const {
     return choose_level(mean()(component), samples(), levels(component));
 }
 
-Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient) const {
+Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient,
+                                       const std::vector<Index>& more) const {
     if (covariance_ != Covariance::full) {
         throw InputError("the error of a function of means needs block averages with Covariance::full");
     }
@@ -229,7 +235,30 @@ Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& grad
         }
         return sum < 0.0 ? 0.0 : sum;
     };
-    return choose_level(value, samples(), curve(along_gradient));
+    const std::vector<BlockLevel> levels = curve(along_gradient);
+    const double alone = choose_level(value, samples(), levels).standard_error;
+    Index longest = 1;
+    bool converged = true;
+    const auto add_part = [&](const Estimate& part) {
+        longest = std::max(longest, part.samples / std::max<Index>(part.blocks, 1));
+        converged = converged && part.converged;
+    };
+    // Of many the longest blocks are long by chance.
+    const bool of_few = (gradient.array() != 0.0).count() <= most_parts;
+    for (Index component = 0; component < width_ && of_few; ++component) {
+        if (gradient[component] != 0.0) {
+            const Estimate part = estimate(component);
+            if (!(std::abs(gradient[component]) * part.standard_error < negligible * alone)) {
+                add_part(part);
+            }
+        }
+    }
+    for (const Index component : more) {
+        add_part(estimate(component));
+    }
+    Estimate found = choose_level(value, samples(), levels, longest);
+    found.converged = found.converged && converged;
+    return found;
 }
 
 }  // namespace ljmd

@@ -72,7 +72,11 @@ Estimate RunAverages::estimate(double value, const Vec3& gradient) const {
     whole[temperature_column] = gradient[0];
     whole[potential_energy_column] = gradient[1];
     whole[pressure_column] = gradient[2];
-    return series_.estimate(value, whole);
+    return estimate_of(value, whole);
+}
+
+Estimate RunAverages::estimate_of(double value, const Eigen::VectorXd& gradient) const {
+    return series_.estimate(value, gradient, {potential_energy_column});
 }
 
 std::optional<Estimate> RunAverages::compressibility_factor() const {
@@ -88,7 +92,7 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     gradient[pressure_column] = 1.0 / (density * t);
     gradient[density_column] = -z / density;
     gradient[temperature_column] = -z / t;
-    return series_.estimate(z, gradient);
+    return estimate_of(z, gradient);
 }
 
 std::optional<ObservableAverage> RunAverages::heat_capacity() const {
@@ -153,7 +157,7 @@ std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
     gradient[temperature_column] = slope * inverse;
     gradient[inverse_temperature_column] = slope * t;
-    return series_.estimate(c, gradient);
+    return estimate_of(c, gradient);
 }
 
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() const {
@@ -166,7 +170,7 @@ std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() con
     gradient[squared_energy_column] = per_variance;
     gradient[potential_energy_column] = -2.0 * per_variance * u;
     gradient[temperature_column] = -2.0 * (c - 1.5) / t;
-    return series_.estimate(c, gradient);
+    return estimate_of(c, gradient);
 }
 
 std::vector<ObservableAverage> RunAverages::averages() const {
@@ -184,7 +188,9 @@ std::vector<ObservableAverage> RunAverages::averages() const {
         if (degrees_of_freedom_ == 0.0 && (k == temperature_column || is_pressure)) {
             average.remark = "a single atom has no motion about the centre of mass: no temperature and no pressure";
         } else {
-            average.estimate = series_.estimate(k);
+            const bool of_pairs = is_pressure || k == total_energy_column || k == virial_column;
+            average.estimate = of_pairs ? estimate_of(series_.mean()[k], Eigen::VectorXd::Unit(series_.width(), k))
+                                        : series_.estimate(k);
         }
         result.push_back(average);
         if (met_rarely() && (k == potential_energy_column || k == virial_column)) {

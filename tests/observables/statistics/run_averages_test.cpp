@@ -336,6 +336,49 @@ TEST_CASE("the error of the heat capacity knows slow fluctuations below fast one
     CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
 }
 
+TEST_CASE("the errors of virial and compressibility factor know slow pairs below the noise of collisions") {
+    // As in a gas: bound pairs make the energy, and are hidden in the virial below collisions.
+    constexpr int runs = 400;
+    constexpr double volume = 1000.0;
+    constexpr double density = 0.1;
+    constexpr double per_virial = 1.0 / (3.0 * volume);
+    for (const std::string name : {"virial", "compressibility_factor"}) {
+        double sum = 0.0;
+        double squares = 0.0;
+        double reported = 0.0;
+        int known = 0;
+        for (int k = 0; k < runs; ++k) {
+            Wandering motion(0.0, 3 * k);
+            Wandering collisions(0.0, 3 * k + 1);
+            Wandering pairs(0.967, 3 * k + 2);
+            RunAverages run(100, Ensemble::canonical);
+            for (int n = 0; n < 2048; ++n) {
+                const double slow = pairs.next();
+                Thermodynamics sample;
+                sample.temperature = 1.0 + 0.08 * motion.next();
+                sample.potential_energy = -0.1 + 0.01 * slow;
+                sample.virial = 10.0 + 30.0 * (collisions.next() + 0.18 * slow);
+                sample.density = density;
+                sample.pressure = density * *sample.temperature + per_virial * sample.virial;
+                run.add(sample);
+            }
+            const Estimate found = *find(run.averages(), name).estimate;
+            if (found.converged) {
+                ++known;
+                sum += found.mean;
+                squares += found.mean * found.mean;
+                reported += found.standard_error * found.standard_error;
+            }
+        }
+        const double mean = sum / known;
+        const double ratio = std::sqrt((squares / known - mean * mean) / (reported / known));
+        CAPTURE(name, known, ratio);
+        CHECK(known > runs / 2);
+        CHECK(ratio > 0.8);
+        CHECK(ratio < 1.06);  // 1.2 with blocks that the virial alone needs
+    }
+}
+
 TEST_CASE("the error of the heat capacity of a short run covers what it has not seen, or there is none") {
     // The variance of u is that of c_v = 2.5; runs hold 1 and 31 independent samples.
     const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);

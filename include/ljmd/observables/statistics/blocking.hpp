@@ -89,10 +89,17 @@ class BlockingAccumulator {
     /// Estimate of a function f of the means by the delta method: the error is that of the series g . x with g =
     /// df/dmean at the means. For ratios such as Z = p / (rho T). f must be smooth over a few standard errors.
     ///
+    /// Its parts are the components with g != 0 that contribute more than a tenth of the error. There are none where
+    /// more than 8 have g != 0: such sums, of shells or layers, are series of their own. What is slow in one of them
+    /// may be hidden in g . x. So errors of all blocks up to the longest that a part needs are looked at, and the
+    /// largest is reported. It is a guess if the error of a part is one.
+    ///
     /// @param value     f(mean)
     /// @param gradient  df/dmean, `width` components
+    /// @param more      components that count as parts as well, because what is slow in f shows in them
     /// @throws InputError with Covariance::diagonal, or for a wrong number of components
-    [[nodiscard]] Estimate estimate(double value, const Eigen::VectorXd& gradient) const;
+    [[nodiscard]] Estimate estimate(double value, const Eigen::VectorXd& gradient,
+                                    const std::vector<Index>& more = {}) const;
 
     /// Blocking curve of one component: its levels with at least 2 blocks, shortest blocks first.
     /// @throws InputError unless 0 <= component < width

@@ -14,7 +14,14 @@ namespace ljmd {
 /// Averages of thermodynamic samples with standard errors by block averaging.
 ///
 /// The compressibility factor is a ratio of means, Z = <p>/(<rho> <T>); its error includes the correlations of the
-/// three (delta method). The heat capacity at constant volume follows from fluctuations: of the temperature at constant
+/// three (delta method).
+///
+/// Pairs that form and part slowly, as in a gas, are hidden in the pressure below the noise of the motion, in the
+/// virial and in Z below that of collisions. They show in the potential energy. So all that the forces contribute to
+/// counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy
+/// needs, and a guess if that of the potential energy is one.
+///
+/// The heat capacity at constant volume follows from fluctuations: of the temperature at constant
 /// energy, of the potential energy u per atom in the canonical ensemble. It includes the 3/2 of the motion of all N
 /// atoms.
 ///
@@ -56,6 +63,8 @@ class RunAverages {
     void archive(Archive& a) { a(series_, blocks_, encounters_, apart_, met_before_); }
 
   private:
+    /// Estimate of a function of the means that the forces contribute to. @param gradient  with respect to all columns
+    [[nodiscard]] Estimate estimate_of(double value, const Eigen::VectorXd& gradient) const;
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
     /// Whether so few encounters were sampled that errors of what only they contribute to are not known.
     [[nodiscard]] bool met_rarely() const;
