@@ -15,8 +15,10 @@ struct Configuration {
     std::vector<Vec3> positions = {};   ///< [sigma], as in the file; may lie outside the box
     std::vector<Vec3> velocities = {};  ///< [sigma/tau]; empty if the file has none
     std::vector<double> masses = {};    ///< [m]; empty if the file has none
-    double time = 0.0;                  ///< [tau]
-    Index step = 0;
+    std::optional<double> time = {};    ///< [tau]; none if the file has none
+    std::optional<Index> step = {};     ///< none if the file has none
+    bool is_unwrapped = false;          ///< known: the file says so, or image flags were applied; else unknown
+    std::vector<std::string> remarks = {};  ///< on what the file has and nobody takes
 };
 
 }  // namespace ljmd

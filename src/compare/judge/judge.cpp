@@ -58,7 +58,7 @@ class Session {
         std::vector<Index> missing;
         for (const Index step : problem_.frames) {
             const auto found =
-                std::ranges::find(answer_.frames, step, [](const Frame& frame) { return frame.configuration.step; });
+                std::ranges::find(answer_.frames, step, [](const Frame& frame) { return frame.configuration.step.value(); });
             if (found == answer_.frames.end()) {
                 missing.push_back(step);
             } else {

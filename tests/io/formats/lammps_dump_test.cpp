@@ -66,7 +66,7 @@ TEST_CASE("a dump is read frame by frame, atoms in the order of ids") {
 TEST_CASE("positions of a dump are unwrapped, scaled or wrapped, from the corner of the box") {
     const auto positions = [](const std::string& columns, const std::string& atoms) {
         const Frame found = read_text(head + "ITEM: ATOMS " + columns + "\n" + atoms);
-        return std::pair(found.configuration.positions, found.tells_unwrapped);
+        return std::pair(found.configuration.positions, found.configuration.is_unwrapped);
     };
     const std::vector<Vec3> expected{{1, 2, 3}, {6, -3, 4}};
     CHECK(positions("id xu yu zu", "1 0 2 5\n2 5 -3 6\n") == std::pair(expected, true));
@@ -84,10 +84,10 @@ TEST_CASE("positions of a dump are unwrapped, scaled or wrapped, from the corner
 TEST_CASE("a dump may tell its units, its times and velocities") {
     const Frame found = read_text("ITEM: UNITS\nlj\nITEM: TIME\n0.035\n" + head +
                                   "ITEM: ATOMS id element x y z vx vy vz\n2 Ar 0 1 3 4 5 6\n1 Ar 0 0 3 1 2 3\n");
-    CHECK(found.has_time);
+    CHECK(found.configuration.time);
     CHECK(found.configuration.time == 0.035);
     CHECK(found.configuration.velocities == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
-    CHECK_FALSE(read_text(frame).has_time);
+    CHECK_FALSE(read_text(frame).configuration.time);
     CHECK(read_text(frame).configuration.velocities.empty());
 }
 
