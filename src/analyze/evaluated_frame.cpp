@@ -134,14 +134,14 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     for (const Mistake& mistake : cutoff_mistakes(cutoff, box)) {
         throw InputError(fmt::format("{}: frame {}: {}", source, number, in_words(mistake)));
     }
-    EvaluatedFrame result{.number = number,
-                          .source = {configuration.step, configuration.time, configuration.is_unwrapped,
-                                     std::move(frame.ids)},
-                          .state = State(std::ssize(configuration.positions), box, execution),
-                          .has_velocities = !configuration.velocities.empty(),
-                          .found = {},
-                          .virial = Mat3::Zero(),
-                          .energies = {}};
+    EvaluatedFrame result{
+        .number = number,
+        .source = {configuration.step, configuration.time, configuration.is_unwrapped, std::move(frame.ids)},
+        .state = State(std::ssize(configuration.positions), box, execution),
+        .has_velocities = !configuration.velocities.empty(),
+        .found = {},
+        .virial = Mat3::Zero(),
+        .energies = {}};
     State& state = result.state;
     place_configuration(state, configuration);
     const TailCorrection tail = spec.interaction().tail;
@@ -183,9 +183,7 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     const std::vector<Index> sorted = by_force(frame);
     const auto forces = state.forces();
     const std::vector<Index> ids = ids_of(frame);
-    const auto id_of = [&](Index i) {
-        return ids[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])];
-    };
+    const auto id_of = [&](Index i) { return ids[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])]; };
 
     Data parameters = Data::object();
     for (const auto& [name, value] : spec.potential.parameters()) {
@@ -283,9 +281,9 @@ std::string frame_headings() {
 std::string frame_row(const EvaluatedFrame& frame) {
     return fmt::format("{:>8}{:>12}{:>13}{:>14.8g}{:>14}{:>13.6g}\n", frame.number,
                        frame.source.step ? fmt::format("{}", *frame.source.step) : "-",
-                       frame.source.time ? fmt::format("{:.6g}", *frame.source.time) : "-", frame.found.potential_energy,
-                       pressure_of(frame) ? fmt::format("{:.8g}", *pressure_of(frame)) : "-",
-                       largest_force(frame));
+                       frame.source.time ? fmt::format("{:.6g}", *frame.source.time) : "-",
+                       frame.found.potential_energy,
+                       pressure_of(frame) ? fmt::format("{:.8g}", *pressure_of(frame)) : "-", largest_force(frame));
 }
 
 }  // namespace ljmd

@@ -166,7 +166,8 @@ State last_configuration(const fs::path& directory, const Deck& deck) {
     }
     const Configuration configuration = read_configuration(path, deck.units);
     if (!configuration.step || !configuration.time) {
-        throw DataError(fmt::format("{} has no step or no time: it is not the file that ljmd wrote there", path.string()));
+        throw DataError(
+            fmt::format("{} has no step or no time: it is not the file that ljmd wrote there", path.string()));
     }
     State state(static_cast<Index>(configuration.positions.size()), Box(configuration.edges));
     place_configuration(state, configuration);

@@ -179,9 +179,9 @@ void find_steps(const fs::path& path, double time_step, std::vector<Frame>& fram
         const std::optional<double> time = frame.configuration.time;
         const double steps = time.value_or(0.0) / time_step;
         if (!time || std::abs(steps - std::round(steps)) > off) {
-            throw DataError(fmt::format(
-                "{}: frame {} has no step{}: which step of the trajectory it is, is not known", path.string(), k + 1,
-                time ? ", and its time is not a multiple of the time step" : " and no time"));
+            throw DataError(fmt::format("{}: frame {} has no step{}: which step of the trajectory it is, is not known",
+                                        path.string(), k + 1,
+                                        time ? ", and its time is not a multiple of the time step" : " and no time"));
         }
         frame.configuration.step = static_cast<Index>(std::llround(steps));
     }

@@ -261,13 +261,15 @@ void H5mdReader::find_remarks() {
             continue;
         }
         require_of_atoms(name, found);
-        const std::vector<double> values = found.fixed ? file_.numbers(found.value) : file_.first_numbers(found.value, 1);
+        const std::vector<double> values =
+            found.fixed ? file_.numbers(found.value) : file_.first_numbers(found.value, 1);
         if (std::ranges::any_of(values, [](double value) { return value != 0.0; })) {
             remarks_.push_back(OneKind::charge_remark(name));
         }
     }
     if (file_.exists("connectivity") && !file_.members("connectivity").empty()) {
-        remarks_.emplace_back("the file has bonds ('connectivity'), which are not taken: ljmd has the pair potential alone");
+        remarks_.emplace_back(
+            "the file has bonds ('connectivity'), which are not taken: ljmd has the pair potential alone");
     }
 }
 

@@ -256,8 +256,8 @@ class Reader {
             if (type != *type_) continue;
             if ((!style.empty() && !is_lennard_jones(style)) || numbers.size() < 2) {
                 file_.fail_at(line, fmt::format("the file has coefficients of pair style {}, which are not read; "
-                                                     "without the section, the potential is that of the deck",
-                                                     shown(style)));
+                                                "without the section, the potential is that of the deck",
+                                                shown(style)));
             }
             constexpr double rounding = 1e-6;
             const bool is_reduced = std::abs(number_or_nan(numbers[0]) - 1.0) <= rounding &&
@@ -361,7 +361,7 @@ class Reader {
     Mat3 tilt_ = Mat3::Zero();
     Index tilt_line_ = 0;
     Index types_ = 1;
-    std::optional<Index> type_;  ///< of the atoms
+    std::optional<Index> type_;       ///< of the atoms
     std::map<Index, double> masses_;  ///< by type; empty without section Masses
     std::vector<Coefficients> coefficients_;
     AtomOrder order_;

@@ -17,12 +17,12 @@ void write_lammps_dump_frame(OutputFile& file, const State& state, const FrameCo
     }
     const Vec3 edges = state.box().edges();
     const bool has_images = !contents.source || contents.source->is_unwrapped;
-    file.write(fmt::format(
-        "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS pp pp pp\n0 {}\n0 {}\n0 {}\n"
-        "ITEM: ATOMS id type x y z{}{}{}{}\n",
-        contents.source ? *contents.source->step : state.step, state.total(), edges[0], edges[1], edges[2],
-        has_images ? " ix iy iz" : "", contents.velocities ? " vx vy vz" : "", contents.forces ? " fx fy fz" : "",
-        contents.energies.empty() ? "" : " c_pe"));
+    file.write(
+        fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS pp pp pp\n0 {}\n0 {}\n0 {}\n"
+                    "ITEM: ATOMS id type x y z{}{}{}{}\n",
+                    contents.source ? *contents.source->step : state.step, state.total(), edges[0], edges[1], edges[2],
+                    has_images ? " ix iy iz" : "", contents.velocities ? " vx vy vz" : "",
+                    contents.forces ? " fx fy fz" : "", contents.energies.empty() ? "" : " c_pe"));
     const AtomParts parts{.positions = true, .velocities = contents.velocities, .forces = contents.forces};
     visit_by_id(state, parts, [&](const AtomPiece& piece) {
         const std::vector<Vec3> places = has_images ? piece.positions : piece.unwrapped(state);

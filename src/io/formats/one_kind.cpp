@@ -14,9 +14,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> columns{"species",        "element",  "type",   "types",   "typelabel",
-                                                   "mass",           "masses",   "numbers", "atomic_number",
-                                                   "atomic_numbers", "diameter", "radius", "radii"};
+constexpr std::array<std::string_view, 13> columns{"species",  "element", "type",    "types",         "typelabel",
+                                                   "mass",     "masses",  "numbers", "atomic_number", "atomic_numbers",
+                                                   "diameter", "radius",  "radii"};
 constexpr std::string_view atomic_number = "Z";  // in a dump `z` is a coordinate
 
 constexpr std::array<std::string_view, 4> charges{"q", "charge", "charges", "initial_charges"};

@@ -114,6 +114,20 @@ TEST_CASE("what the comment lines lack is told beside the file") {
     CHECK_FALSE(reader.next(found));
 }
 
+TEST_CASE("names of properties match in any case, unused columns may hold anything, and vectors left out are told") {
+    const Configuration found =
+        read_text("1\n" + lattice + "Properties=Species:S:1:Pos:R:3:Velocity:R:3:Forces:R:3:dipole:R:3:charge:R:1\n" +
+                  "X 1 0 0 4 5 6 nan inf none 0 0 1 -1\n");
+    CHECK(found.positions == std::vector<Vec3>{{1, 0, 0}});
+    CHECK(found.velocities == std::vector<Vec3>{{4, 5, 6}});
+    REQUIRE(found.remarks.size() == 2);
+    CHECK_THAT(found.remarks[0], Contains("the property 'dipole' of three numbers is not taken"));
+    CHECK_THAT(found.remarks[1], Contains("the atoms have charges ('charge')"));
+    CHECK_THAT(
+        data_error([] { (void)read_text("2\n" + lattice + "Properties=SPECIES:S:1:pos:R:3\nAr 1 0 0\nKr 2 0 0\n"); }),
+        Contains("species 'Kr' beside 'Ar'"));
+}
+
 TEST_CASE("ids of atoms may have gaps") {
     const Configuration found =
         read_text("2\n" + lattice + "Properties=species:S:1:pos:R:3:id:I:1\nX 1 0 0 90\nX 2 0 0 7\n");

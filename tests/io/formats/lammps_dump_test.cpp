@@ -128,6 +128,16 @@ TEST_CASE("the dump of a group has ids with gaps, the same in all frames") {
                Contains("start.txt:22: frame 2: other atoms than in frame 1: id 901, where that has id 900"));
 }
 
+TEST_CASE("a general triclinic box along the axes is an orthogonal one") {
+    const Frame found = read_text(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n"
+        "4 0 0 -1\n0 5 0 2\n0 0 6 0\nITEM: ATOMS id x y z q fx fy fz\n1 0 3 1 -0.5 nan nan nan\n");
+    CHECK(found.configuration.edges == Vec3(4, 5, 6));
+    CHECK(found.configuration.positions == std::vector<Vec3>{{1, 1, 1}});
+    REQUIRE(found.configuration.remarks.size() == 1);
+    CHECK_THAT(found.configuration.remarks[0], Contains("the atoms have charges ('q'), which are not taken"));
+}
+
 TEST_CASE("a dump that cannot be used is refused, with its line") {
     const std::vector<Malformed> cases{
         {2, "the step must be an integer", with(frame, "\n7\n", "\nx\n")},
@@ -138,7 +148,10 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         {6, "two bounds of the box and a tilt factor were expected", with(frame, "pp pp pp", "xy xz yz pp pp pp")},
         {5, "the box is tilted", tilted("0 1e-9 0")},
         {6, "a tilt factor must be a finite number", tilted("nan 0 0")},
-        {5, "found ' abc origin pp pp pp'", with(frame, "pp pp pp", "abc origin pp pp pp")},
+        {6, "a vector of the box and a coordinate of its corner", with(frame, "pp pp pp", "abc origin pp pp pp")},
+        {5, "not along the axes",
+         "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n"
+         "4 0.1 0 0\n0 5 0 0\n0 0 6 0\nITEM: ATOMS id x y z\n1 0 0 0\n"},
         {7, "two bounds of the box were expected", with(frame, "\n0 5\n", "\n0 5 1\n")},
         {7, "the upper bound of the box must be above", with(frame, "\n0 5\n", "\n5 5\n")},
         {7, "a bound of the box must be a finite number", with(frame, "\n0 5\n", "\n0 inf\n")},

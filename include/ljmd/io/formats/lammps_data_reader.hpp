@@ -12,9 +12,9 @@ namespace ljmd {
 /// flags) and Velocities. All atoms must have one type: ljmd has one kind of atom. Positions are shifted by -(xlo, ylo,
 /// zlo) and unwrapped with the image flags.
 ///
-/// A file of another fluid is refused: with Pair Coeffs or PairIJ Coeffs of the type that has atoms other than epsilon =
-/// sigma = 1 of a style lj/..., with bonds, angles, dihedrals, impropers, or with bodies other than points. A cutoff in
-/// Pair Coeffs gives a remark. Other header lines, other Coeffs and Type Labels are skipped.
+/// A file of another fluid is refused: with Pair Coeffs or PairIJ Coeffs of the type that has atoms other than epsilon
+/// = sigma = 1 of a style lj/..., with bonds, angles, dihedrals, impropers, or with bodies other than points. A cutoff
+/// in Pair Coeffs gives a remark. Other header lines, other Coeffs and Type Labels are skipped.
 ///
 /// @param file  at its start
 /// @throws DataError with file and line
