@@ -19,8 +19,7 @@ class FrameReader(MemoryReader):
 
     def _read_next_timestep(self, ts=None):
         ts = super()._read_next_timestep(ts)
-        if self._times is not None:
-            ts.time = float(self._times[ts.frame])
+        ts.time = np.nan if self._times is None else float(self._times[ts.frame])
         if self._steps is not None:
             ts.data["step"] = int(self._steps[ts.frame])
         return ts
@@ -36,7 +35,7 @@ def universe(frames):
                          ("types", ["X"] * atoms)):
         found.add_TopologyAttr(name, values)
     right_angles = np.full((count, 3), 90.0)
-    spacing = 1.0 if frames.times is None or count < 2 else float(frames.times[1] - frames.times[0])
+    spacing = np.nan if frames.times is None or count < 2 else float(frames.times[1] - frames.times[0])
     velocities = None if frames.velocities is None else frames.velocities.astype(np.float32)
     found.load_new(frames.positions.astype(np.float32), format=FrameReader, order="fac", dt=spacing, times=frames.times,
                    steps=frames.steps, velocities=velocities,

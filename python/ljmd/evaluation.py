@@ -37,7 +37,12 @@ class Evaluation:
 
     def __repr__(self) -> str:
         return (f"<ljmd.Evaluation: {len(self.forces)} atoms, U/N = {self.potential_energy:.10g}, W = {self.virial:.10g}, "
-                f"virial pressure {self.virial_pressure:.10g}, largest force {np.linalg.norm(self.forces, axis=1).max():.4g}>")
+                f"virial pressure {self.virial_pressure:.10g}, largest force {_longest(self.forces):.4g}>")
+
+
+def _longest(vectors) -> float:
+    """The length of the longest vector, whose squares may be out of the range of numbers."""
+    return float(np.hypot(np.hypot(vectors[:, 0], vectors[:, 1]), vectors[:, 2]).max())
 
 
 class Evaluator:

@@ -38,7 +38,8 @@ class Frames:
 
     def universe(self):
         """An MDAnalysis Universe: positions, box, times [tau] and steps, velocities where there are any; atoms with mass 1, name
-        and type "X", ids from 0. Numbers stay in reduced units, in single precision, as MDAnalysis keeps them.
+        and type "X", ids from 0. Times that are not known are NaN, and so is the spacing dt of a single frame; steps that are
+        not known are missing. Numbers stay in reduced units, in single precision, as MDAnalysis keeps them.
 
         Raises ImportError without MDAnalysis.
         """

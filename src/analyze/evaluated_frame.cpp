@@ -45,12 +45,35 @@ class OneConfiguration : public TrajectoryReader {
 
 constexpr std::size_t shown_forces = 5;
 
+/// Of a vector whose squares may be out of the range of numbers.
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+double largest_force(const EvaluatedFrame& frame) {
+    double largest = 0.0;
+    for (Index i = 0; i < frame.state.count(); ++i) {
+        largest = std::max(largest, length(frame.state.forces().col(i)));
+    }
+    return largest;
+}
+
 /// Indices of the atoms with the largest forces, in the order of ids where forces are equal.
 std::vector<Index> by_force(const EvaluatedFrame& frame) {
     std::vector<Index> atoms = frame.state.index_of();
     const auto f = frame.state.forces();
-    std::ranges::stable_sort(atoms, [&](Index a, Index b) { return f.col(a).norm() > f.col(b).norm(); });
+    std::ranges::stable_sort(atoms, [&](Index a, Index b) { return length(f.col(a)) > length(f.col(b)); });
     return atoms;
+}
+
+/// The ids of the atoms; from 1 where the file has none.
+std::vector<Index> ids_of(const EvaluatedFrame& frame) {
+    std::vector<Index> ids = frame.source.ids;
+    if (ids.empty()) {
+        ids.resize(static_cast<std::size_t>(frame.state.count()));
+        std::iota(ids.begin(), ids.end(), Index{1});
+    }
+    return ids;
 }
 
 Vec3 net_force(const EvaluatedFrame& frame) {
@@ -111,23 +134,16 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     for (const Mistake& mistake : cutoff_mistakes(cutoff, box)) {
         throw InputError(fmt::format("{}: frame {}: {}", source, number, in_words(mistake)));
     }
-    EvaluatedFrame result{.number = number,
-                          .step = frame.has_step ? std::optional(configuration.step) : std::nullopt,
-                          .time = frame.has_time ? std::optional(configuration.time) : std::nullopt,
-                          .ids = std::move(frame.ids),
-                          .state = State(std::ssize(configuration.positions), box, execution),
-                          .has_velocities = !configuration.velocities.empty(),
-                          .found = {},
-                          .virial = Mat3::Zero(),
-                          .energies = {}};
+    EvaluatedFrame result{
+        .number = number,
+        .source = {configuration.step, configuration.time, configuration.is_unwrapped, std::move(frame.ids)},
+        .state = State(std::ssize(configuration.positions), box, execution),
+        .has_velocities = !configuration.velocities.empty(),
+        .found = {},
+        .virial = Mat3::Zero(),
+        .energies = {}};
     State& state = result.state;
-    if (result.ids.empty()) {
-        result.ids.resize(static_cast<std::size_t>(state.count()));
-        std::iota(result.ids.begin(), result.ids.end(), Index{1});
-    }
     place_configuration(state, configuration);
-    state.step = configuration.step;
-    state.time = configuration.time;
     const TailCorrection tail = spec.interaction().tail;
     FluidSpec pairs_alone = spec;
     pairs_alone.external = nullptr;
@@ -166,9 +182,8 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     const bool moves = frame.has_velocities;
     const std::vector<Index> sorted = by_force(frame);
     const auto forces = state.forces();
-    const auto id_of = [&](Index i) {
-        return frame.ids[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])];
-    };
+    const std::vector<Index> ids = ids_of(frame);
+    const auto id_of = [&](Index i) { return ids[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])]; };
 
     Data parameters = Data::object();
     for (const auto& [name, value] : spec.potential.parameters()) {
@@ -186,8 +201,8 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     Document document;
     document.data = {{"configuration", source},
                      {"frame", frame.number},
-                     {"step", frame.step},
-                     {"time", frame.time},
+                     {"step", frame.source.step},
+                     {"time", frame.source.time},
                      {"atoms", state.count()},
                      {"box_edges", vector_data(edges)},
                      {"density", found.density},
@@ -209,16 +224,16 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
                      {"virial", found.virial},
                      {"virial_tensor", tensor},
                      {"net_force", vector_data(net_force(frame))},
-                     {"largest_force", forces.col(sorted.front()).norm()},
-                     {"ids", frame.ids},
+                     {"largest_force", largest_force(frame)},
+                     {"ids", ids},
                      {"forces", all_forces},
                      {"energies", frame.energies},
                      {"remarks", remarks(frame)}};
 
     std::string& text = document.text;
     text = fmt::format("{}: {} atoms", source, state.count());
-    if (frame.step) {
-        text += fmt::format(", step {}", *frame.step);
+    if (frame.source.step) {
+        text += fmt::format(", step {}", *frame.source.step);
     }
     text += fmt::format("\nbox {:.8g} x {:.8g} x {:.8g} sigma^3, density {:.6g}\n{}\n\n", edges[0], edges[1], edges[2],
                         found.density, wrapped(interaction_in_words(spec), screen_columns, 2));
@@ -242,14 +257,14 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
         }
         text += "\n";
     }
-    line("net force", fmt::format("{:.3g}", net_force(frame).norm()), "epsilon/sigma: 0 but for rounding");
+    line("net force", fmt::format("{:.3g}", length(net_force(frame))), "epsilon/sigma: 0 but for rounding");
     text += fmt::format("\nlargest forces [epsilon/sigma] and energies of their atoms [epsilon]\n{:>10}{:>14}", "atom",
                         "force");
     text += fmt::format("{:>14}{:>14}{:>14}{:>14}\n", "x", "y", "z", "energy");
     for (std::size_t k = 0; k < std::min(shown_forces, sorted.size()); ++k) {
         const Index i = sorted[k];
         const Vec3 f = forces.col(i).unaryExpr([](double x) { return without_negative_zero(x); });
-        text += fmt::format("{:>10}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}\n", id_of(i), f.norm(), f[0], f[1],
+        text += fmt::format("{:>10}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}\n", id_of(i), length(f), f[0], f[1],
                             f[2], frame.energies[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])]);
     }
     for (const std::string& remark : remarks(frame)) {
@@ -265,10 +280,10 @@ std::string frame_headings() {
 
 std::string frame_row(const EvaluatedFrame& frame) {
     return fmt::format("{:>8}{:>12}{:>13}{:>14.8g}{:>14}{:>13.6g}\n", frame.number,
-                       frame.step ? fmt::format("{}", *frame.step) : "-",
-                       frame.time ? fmt::format("{:.6g}", *frame.time) : "-", frame.found.potential_energy,
-                       pressure_of(frame) ? fmt::format("{:.8g}", *pressure_of(frame)) : "-",
-                       frame.state.forces().colwise().norm().maxCoeff());
+                       frame.source.step ? fmt::format("{}", *frame.source.step) : "-",
+                       frame.source.time ? fmt::format("{:.6g}", *frame.source.time) : "-",
+                       frame.found.potential_energy,
+                       pressure_of(frame) ? fmt::format("{:.8g}", *pressure_of(frame)) : "-", largest_force(frame));
 }
 
 }  // namespace ljmd

@@ -100,8 +100,8 @@ class Pass {
     void sample(Index number, std::size_t k, const Configuration& configuration) {
         State state(trajectory_.summary.atoms, box_of(configuration), trajectory_.execution);
         place_configuration(state, configuration);
-        state.time = configuration.time;
-        state.step = configuration.step;  // random numbers depend on it
+        state.time = configuration.time.value_or(0.0);
+        state.step = configuration.step.value_or(0);  // random numbers depend on it
         Evaluation evaluation;
         if (trajectory_.thermo || std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
                 return each.analysis->due(number) && each.analysis->needs_energy();

@@ -38,13 +38,13 @@ class Summarizer {
             summary_.box_changes = summary_.frames;
         }
         summary_.smallest_edges = summary_.smallest_edges.cwiseMin(found.edges);
-        if (frame.has_step) {
-            summary_.steps.push_back(found.step);
+        if (found.step) {
+            summary_.steps.push_back(*found.step);
         }
-        if (frame.has_time) {
-            summary_.times.push_back(found.time);
+        if (found.time) {
+            summary_.times.push_back(*found.time);
         }
-        tells_unwrapped_ = tells_unwrapped_ && frame.tells_unwrapped;
+        tells_unwrapped_ = tells_unwrapped_ && found.is_unwrapped;
         meter_.add(found);
     }
 

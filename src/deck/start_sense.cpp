@@ -80,6 +80,12 @@ void check_start_effects(const FluidTables& tables, bool keeps_velocities, Diagn
 }
 
 void check_start(const Deck& deck, const Start& start, Diagnostics& diagnostics) {
+    if (start.configuration) {
+        for (const std::string& remark : start.configuration->remarks) {
+            diagnostics.warning(deck.fluid().system.location(&SystemTable::file),
+                                fmt::format("{}: {}", *deck.system().file, remark));
+        }
+    }
     check_box(deck.fluid(), start.atoms, start.box, diagnostics);
     if (!diagnostics.has_errors()) {
         check_start_effects(deck.fluid(), keeps_velocities(deck.system(), start), diagnostics);

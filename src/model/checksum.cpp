@@ -72,8 +72,8 @@ std::string checksum(const Configuration& configuration) {
     add(configuration.positions);
     add(configuration.velocities);
     add(configuration.masses);
-    add(std::array{configuration.time});
-    add(std::array{configuration.step});
+    add(std::array{configuration.time.value_or(0.0)});
+    add(std::array{configuration.step.value_or(0)});
     return in_words(XXH3_64bits_digest(hash.get()));
 }
 

@@ -148,8 +148,8 @@ class FramesOfPython {
                     frame.configuration.velocities.clear();
                 }
                 found.add(frame.configuration);
-                times.push_back(frame.configuration.time);
-                steps.push_back(frame.configuration.step);
+                times.push_back(frame.configuration.time.value_or(0.0));
+                steps.push_back(frame.configuration.step.value_or(0));
                 frame_read();
             }
         });

@@ -63,7 +63,7 @@ void AtomFrames::begin(const Frame& frame) {
 }
 
 AtomFrames::Kept AtomFrames::kept(const Configuration& configuration) const {
-    Kept found{configuration.step, configuration.time, configuration.edges, {}, {}, {}};
+    Kept found{configuration.step.value_or(0), configuration.time.value_or(0.0), configuration.edges, {}, {}, {}};
     for (std::size_t k = 0; k < configuration.positions.size(); k += static_cast<std::size_t>(each_)) {
         for (int axis = 0; axis < 3; ++axis) {
             const double fraction = configuration.positions[k][axis] / configuration.edges[axis];

@@ -178,10 +178,14 @@ State last_configuration(const fs::path& directory, const Deck& deck) {
         throw DataError(fmt::format("{} has no final.xyz: the run has not come to its end", directory.string()));
     }
     const Configuration configuration = read_configuration(path, deck.units);
+    if (!configuration.step || !configuration.time) {
+        throw DataError(
+            fmt::format("{} has no step or no time: it is not the file that ljmd wrote there", path.string()));
+    }
     State state(static_cast<Index>(configuration.positions.size()), Box(configuration.edges));
     place_configuration(state, configuration);
-    state.step = configuration.step;
-    state.time = configuration.time;
+    state.step = *configuration.step;
+    state.time = *configuration.time;
     return state;
 }
 

@@ -223,6 +223,37 @@ def refused(code, *arguments, expected=()):
     return test
 
 
+def copies_tell_no_more_than_their_source(t):
+    """Step, time, ids and the wrapping of positions are written where the file has them, in both formats."""
+    atoms = [(1.5, 1.5, 1.5), (4.5, 4.5, 4.5), (1.5, 4.5, -0.5)]
+    for told, says in (("", ""), ("Time=0.5", "Time=0.5 "), ("step=7", "step=7 "),
+                       ("step=7 positions=unwrapped", "step=7 positions=unwrapped ")):
+        write_xyz(t, "a.xyz", atoms, extra=f" {told}")
+        t.run_well("evaluate", "a.xyz", *PAIR, "--out", "copy.xyz", "--force")
+        line = t.read("copy.xyz").splitlines()[1]
+        for word in ("Time=", "step=", "positions=unwrapped"):
+            t.equal(word in line, word in says, f"{word} in the copy of a file with {told!r}")
+        t.check(":id:I:1" not in line, "no ids")
+        dump = t.run("evaluate", "a.xyz", *PAIR, "--out", "copy.lammpsdump", "--force")
+        t.equal(dump.code, 0 if "step" in told else 2, f"a dump of a file with {told!r}")
+        if "step" in told:
+            t.equal("ix iy iz" in t.read("copy.lammpsdump"), "unwrapped" in told, "image flags")
+        else:
+            t.contains(dump.err, "every frame of a dump of LAMMPS has a step")
+    (t.dir / "a.dump").write_text("ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 8\n0 8\n0 8\n"
+                                  "ITEM: ATOMS id x y z\n7 7.1 4 4\n3 0.3 4 4\n", encoding="utf-8")
+    t.run_well("evaluate", "a.dump", *PAIR, "--out", "ids.xyz")
+    t.equal([row.split()[-1] for row in t.read("ids.xyz").splitlines()[2:]], ["3", "7"], "ids")
+
+
+def forces_beyond_the_range_of_squares(t):
+    write_xyz(t, "close.xyz", [(1, 1, 1), (1, 1, 1.0000000000001), (4, 4, 4)])
+    found = evaluated(t, "close.xyz", *PAIR)
+    t.equal(found["largest_force"], max(abs(force[2]) for force in found["forces"]), "the largest force")
+    t.check(1e170 < found["largest_force"] < 1e171, "48 / r^13")
+    t.check("inf" not in t.run_well("evaluate", "close.xyz", *PAIR).out, "on screen")
+
+
 def a_file_is_not_replaced_unasked(t):
     write_xyz(t, "two.xyz", [(0.3, 4, 4), (7.1, 4, 4)])
     before = t.read("two.xyz")
@@ -239,7 +270,8 @@ def a_file_is_not_replaced_unasked(t):
 def cases():
     tests = (nist, a_run_of_0_steps, two_atoms_across_the_wall, forces_are_slopes, every_format_and_all_frames,
              forces_in_trajectories, screen,
-             si_units, a_file_is_not_replaced_unasked)
+             si_units, a_file_is_not_replaced_unasked, copies_tell_no_more_than_their_source,
+             forces_beyond_the_range_of_squares)
     return [Case(test.__name__.replace("_", " "), test) for test in tests] + [
         Case("no file", refused(3, "nowhere.xyz", *PAIR)),
         Case("a deck is no configuration", refused(3, "deck.toml", *PAIR)),

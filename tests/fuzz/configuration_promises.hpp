@@ -12,7 +12,7 @@ namespace ljmd::fuzz {
 /// A configuration that was read is what Configuration says, and a run can start from it.
 inline void check_promises(const Configuration& configuration) {
     const auto finite = [](const Vec3& v) { return v.allFinite(); };
-    const auto& [edges, positions, velocities, masses, time, step] = configuration;
+    const auto& [edges, positions, velocities, masses, time, step, is_unwrapped, remarks] = configuration;
     require(!positions.empty(), "a configuration has no atoms");
     require(velocities.empty() || velocities.size() == positions.size(), "not every atom has a velocity");
     require(masses.empty() || masses.size() == positions.size(), "not every atom has a mass");
@@ -20,7 +20,7 @@ inline void check_promises(const Configuration& configuration) {
     require(std::all_of(velocities.begin(), velocities.end(), finite), "a velocity is not finite");
     require(std::all_of(masses.begin(), masses.end(), [](double m) { return std::isfinite(m) && m > 0.0; }),
             "a mass is not finite and positive");
-    require(std::isfinite(time), "the time is not finite");
+    require(!time || std::isfinite(*time), "the time is not finite");
     State state(static_cast<Index>(positions.size()), Box(edges));
     try {
         place_configuration(state, configuration);

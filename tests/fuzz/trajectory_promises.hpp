@@ -16,7 +16,7 @@ inline void check_trajectory(const std::filesystem::path& path, const std::optio
             const Configuration& found = frame.configuration;
             atoms = reader->frames() == 1 ? found.positions.size() : atoms;
             require(found.positions.size() == atoms, "a frame has another number of atoms");
-            require(found.step >= 0, "a step is negative");
+            require(!found.step || *found.step >= 0, "a step is negative");
             check_promises(found);
         }
     } catch (const DataError&) {

@@ -9,6 +9,7 @@
 #include "ljmd/core/document.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -17,10 +18,8 @@ namespace ljmd {
 
 /// A frame whose energy, pressure and forces were computed, in reduced units.
 struct EvaluatedFrame {
-    Index number = 1;           ///< of the frame in its file, from 1
-    std::optional<Index> step;  ///< if the file has them
-    std::optional<double> time;
-    std::vector<Index> ids;  ///< of the atoms in the file, ascending
+    Index number = 1;   ///< of the frame in its file, from 1
+    FrameFacts source;  ///< what the file tells
 
     State state;                   ///< with forces of the positions; the velocities mean nothing without has_velocities
     bool has_velocities = false;   ///< whether the file has them

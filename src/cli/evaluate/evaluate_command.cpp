@@ -139,14 +139,18 @@ std::optional<fs::path> frames_to_write(const EvaluateOptions& options) {
     return path;
 }
 
-void write_frame(OutputFile& file, EvaluatedFrame& frame, bool as_dump) {
-    const FrameContents contents{.velocities = frame.has_velocities, .forces = true, .energies = frame.energies};
+void write_frame(OutputFile& file, const EvaluatedFrame& frame, bool as_dump, const std::string& source) {
+    const FrameContents contents{
+        .velocities = frame.has_velocities, .forces = true, .energies = frame.energies, .source = frame.source};
     if (!as_dump) {
         write_extended_xyz_frame(file, frame.state, contents, std::nullopt);
         return;
     }
-    if (!frame.step) {
-        frame.state.step = frame.number - 1;  // a dump has steps
+    if (!frame.source.step) {
+        throw InputError(
+            fmt::format("--out: every frame of a dump of LAMMPS has a step, and those of {} have none: write extended "
+                        "XYZ, to a name that ends in .xyz",
+                        source));
     }
     write_lammps_dump_frame(file, frame.state, contents);
 }
@@ -229,7 +233,7 @@ void evaluate_command(const EvaluateOptions& options) {
             }
             EvaluatedFrame found = evaluate_frame(std::move(frame), number, how.spec, execution, path.string());
             if (file != nullptr) {
-                write_frame(*file, found, is_dump(*written));
+                write_frame(*file, found, is_dump(*written), path.string());
             }
             printer.add(std::move(found));
             ++evaluated;

@@ -134,6 +134,16 @@ void check_box(const fs::path& path, Index number, const Vec3& edges, const Vec3
     }
 }
 
+void check_forces(const fs::path& path, Index number, const Frame& frame) {
+    const auto bad = std::ranges::find_if(frame.forces, [](const Vec3& force) { return !force.allFinite(); });
+    if (bad == frame.forces.end()) {
+        return;
+    }
+    const auto k = static_cast<std::size_t>(bad - frame.forces.begin());
+    throw DataError(fmt::format("{}: frame {}: atom {} has a force that is not finite", path.string(), number,
+                                frame.ids.empty() ? static_cast<Index>(k) + 1 : frame.ids[k]));
+}
+
 /// All frames of a file. A file that ends within a frame is refused: an engine that stops there has failed.
 std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std::vector<std::string>& warnings) {
     const auto atoms = static_cast<Index>(problem.fluid.masses.size());
@@ -146,6 +156,7 @@ std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std
                                         frame.configuration.positions.size(), atoms));
         }
         check_box(path, number, frame.configuration.edges, problem.fluid.edges);
+        check_forces(path, number, frame);
         frames.push_back(std::move(frame));
     }
     for (const std::string& warning : reader->warnings()) {
@@ -162,17 +173,17 @@ void find_steps(const fs::path& path, double time_step, std::vector<Frame>& fram
     constexpr double off = 1e-3;  // of a step
     for (std::size_t k = 0; k < frames.size(); ++k) {
         Frame& frame = frames[k];
-        if (frame.has_step) {
+        if (frame.configuration.step) {
             continue;
         }
-        const double steps = frame.configuration.time / time_step;
-        if (!frame.has_time || std::abs(steps - std::round(steps)) > off) {
-            throw DataError(fmt::format(
-                "{}: frame {} has no step{}: which step of the trajectory it is, is not known", path.string(), k + 1,
-                frame.has_time ? ", and its time is not a multiple of the time step" : " and no time"));
+        const std::optional<double> time = frame.configuration.time;
+        const double steps = time.value_or(0.0) / time_step;
+        if (!time || std::abs(steps - std::round(steps)) > off) {
+            throw DataError(fmt::format("{}: frame {} has no step{}: which step of the trajectory it is, is not known",
+                                        path.string(), k + 1,
+                                        time ? ", and its time is not a multiple of the time step" : " and no time"));
         }
         frame.configuration.step = static_cast<Index>(std::llround(steps));
-        frame.has_step = true;
     }
 }
 

@@ -57,8 +57,8 @@ class Session {
         JudgedTrajectory trajectory{problem_.fluid.edges, problem_.stage.time_step, {}};
         std::vector<Index> missing;
         for (const Index step : problem_.frames) {
-            const auto found =
-                std::ranges::find(answer_.frames, step, [](const Frame& frame) { return frame.configuration.step; });
+            const auto found = std::ranges::find(answer_.frames, step,
+                                                 [](const Frame& frame) { return frame.configuration.step.value(); });
             if (found == answer_.frames.end()) {
                 missing.push_back(step);
             } else {

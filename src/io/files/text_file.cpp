@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "gzip_input.hpp"
@@ -181,6 +182,17 @@ bool is_blank(std::string_view text) {
 bool is_number(std::string_view field) {
     double value = 0.0;
     return parse(field, value) != std::errc::invalid_argument;
+}
+
+double number_or_nan(std::string_view field) {
+    double value = 0.0;
+    return parse(field, value) == std::errc{} ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
 }
 
 std::string shown(std::string_view text) {

@@ -31,6 +31,10 @@ Vec3 read_vector(const TextFile& file, const std::vector<std::string_view>& fiel
             file.number(fields[first + 2], "a coordinate")};
 }
 
+Vec3 read_optional_vector(const std::vector<std::string_view>& fields, std::size_t first) {
+    return {number_or_nan(fields[first]), number_or_nan(fields[first + 1]), number_or_nan(fields[first + 2])};
+}
+
 AtomOrder file_order(Index count, Index first_line) {
     AtomOrder order{{}, std::vector<Index>(static_cast<std::size_t>(count)), first_line};
     std::iota(order.rows.begin(), order.rows.end(), Index{0});

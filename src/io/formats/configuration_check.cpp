@@ -66,7 +66,7 @@ std::optional<ConfigurationFault> find_fault(const Configuration& configuration)
     if (const std::string fault = fault_of_box(configuration.edges); !fault.empty()) {
         return ConfigurationFault{std::nullopt, fault};
     }
-    if (!std::isfinite(configuration.time)) {
+    if (configuration.time && !std::isfinite(*configuration.time)) {
         return ConfigurationFault{std::nullopt, "the time is not finite in reduced units"};
     }
     for (std::size_t k = 0; k < configuration.positions.size(); ++k) {

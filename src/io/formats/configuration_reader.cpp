@@ -46,8 +46,10 @@ Configuration read_h5md(const std::filesystem::path& path, const std::optional<S
     while (reader.next(frame)) {
         last = std::move(frame.configuration);
     }
-    if (const std::vector<std::string> warnings = reader.warnings(); !warnings.empty()) {
-        throw DataError(warnings.front());
+    for (const std::string& warning : reader.warnings()) {
+        if (std::ranges::find(last.remarks, warning) == last.remarks.end()) {
+            throw DataError(warning);
+        }
     }
     if (const auto same = find_coincident_atoms(last)) {
         throw DataError(fmt::format("{}: atoms {} and {} are at the same place in the periodic box", path.string(),

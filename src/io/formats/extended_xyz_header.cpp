@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <ranges>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,12 +25,6 @@ struct Pair {
     bool in_file;  ///< else it was given beside the file
 };
 using Pairs = std::vector<Pair>;
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
-}
 
 /// The character that closes a value with this opening character; null if a blank ends it.
 char closing(char opening) {
@@ -151,6 +147,7 @@ Vec3 parse_lattice(const TextFile& file, const std::optional<std::string_view>& 
 
 struct Property {
     std::string_view name;
+    std::string lower_name;
     std::string_view type;
     Index columns;
 };
@@ -173,20 +170,39 @@ std::vector<Property> split_properties(const TextFile& file, std::string_view te
         if (columns < 1 || columns > max_columns) {
             file.fail(fmt::format("property {} cannot have {} columns", shown(parts[k]), columns));
         }
-        properties.push_back({parts[k], parts[k + 1], columns});
+        properties.push_back({parts[k], lower_case(parts[k]), parts[k + 1], columns});
     }
     return properties;
 }
 
-/// The column in which a property starts; nothing if there is none of these names. Type and number of columns must
-/// match.
-std::optional<std::size_t> column_of(const TextFile& file, const std::vector<Property>& properties,
-                                     std::initializer_list<std::string_view> names, std::string_view type,
-                                     Index columns) {
+using Names = std::span<const std::string_view>;
+constexpr std::array<std::string_view, 1> position_names{"pos"};
+constexpr std::array<std::string_view, 4> velocity_names{"velo", "vel", "velocity", "velocities"};
+constexpr std::array<std::string_view, 1> momentum_names{"momenta"};
+constexpr std::array<std::string_view, 2> forces_names{"forces", "force"};
+constexpr std::array<std::string_view, 1> species_names{"species"};
+constexpr std::array<std::string_view, 1> id_names{"id"};
+constexpr std::array<std::string_view, 2> mass_names{"mass", "masses"};
+
+bool is_one_of(Names names, const Property& property) {
+    return std::ranges::find(names, property.lower_name) != names.end();
+}
+
+/// Vectors that somebody may take for velocities, and that no name makes ones.
+bool is_unused_vector(const Property& property) {
+    const bool is_known = is_one_of(position_names, property) || is_one_of(velocity_names, property) ||
+                          is_one_of(momentum_names, property) || is_one_of(forces_names, property);
+    return property.columns == 3 && property.type != "S" && !is_known;
+}
+
+/// The column in which a property starts; nothing if there is none of these names, in any case. Type and number of
+/// columns must match.
+std::optional<std::size_t> column_of(const TextFile& file, const std::vector<Property>& properties, Names names,
+                                     std::string_view type, Index columns) {
     std::optional<std::size_t> column;
     std::size_t next = 0;
     for (const Property& property : properties) {
-        if (std::find(names.begin(), names.end(), property.name) != names.end()) {
+        if (is_one_of(names, property)) {
             if (column) file.fail(fmt::format("Properties gives {} twice", shown(property.name)));
             if (property.type != type || property.columns != columns) {
                 file.fail(fmt::format("property {} must be {}:{}, found {}:{}", shown(property.name), type, columns,
@@ -202,18 +218,24 @@ std::optional<std::size_t> column_of(const TextFile& file, const std::vector<Pro
 ExtendedXyzColumns parse_columns(const TextFile& file, std::string_view text) {
     const std::vector<Property> properties = split_properties(file, text);
     ExtendedXyzColumns columns;
-    const std::optional<std::size_t> position = column_of(file, properties, {"pos"}, "R", 3);
+    const std::optional<std::size_t> position = column_of(file, properties, position_names, "R", 3);
     if (!position) file.fail("Properties has no pos:R:3");
     columns.position = *position;
-    static_cast<void>(column_of(file, properties, {"species"}, "S", 1));
-    columns.velocity = column_of(file, properties, {"velo", "vel", "velocities"}, "R", 3);
-    columns.momentum = column_of(file, properties, {"momenta"}, "R", 3);
-    columns.force = column_of(file, properties, {"forces", "force"}, "R", 3);
-    columns.id = column_of(file, properties, {"id"}, "I", 1);
-    columns.mass = column_of(file, properties, {"mass", "masses"}, "R", 1);
+    static_cast<void>(column_of(file, properties, species_names, "S", 1));
+    columns.velocity = column_of(file, properties, velocity_names, "R", 3);
+    columns.momentum = column_of(file, properties, momentum_names, "R", 3);
+    columns.force = column_of(file, properties, forces_names, "R", 3);
+    columns.id = column_of(file, properties, id_names, "I", 1);
+    columns.mass = column_of(file, properties, mass_names, "R", 1);
     for (const Property& property : properties) {
         if (property.columns == 1 && OneKind::distinguishes_kinds(property.name)) {
-            columns.kinds.emplace(property.name, columns.count);
+            columns.kinds.emplace(property.lower_name == "species" ? property.lower_name : property.name, columns.count);
+        }
+        if (property.columns == 1 && OneKind::is_charge(property.name)) {
+            columns.charges.emplace(property.name, columns.count);
+        }
+        if (is_unused_vector(property)) {
+            columns.unused.emplace_back(property.name);
         }
         columns.count += static_cast<std::size_t>(property.columns);
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "ase_units.hpp"
@@ -36,6 +37,7 @@ struct RawFrame {
     std::vector<Vec3> velocities;
     std::vector<double> masses;
     std::vector<Vec3> forces;
+    std::vector<std::string> remarks;
 };
 
 /// @param si  the units of the first frame; set by that frame
@@ -79,6 +81,10 @@ double mass_of_momentum(const TextFile& file, const std::vector<std::string_view
     return *mass;
 }
 
+void remark(RawFrame& frame, const std::string& text) {
+    if (std::ranges::find(frame.remarks, text) == frame.remarks.end()) frame.remarks.push_back(text);
+}
+
 void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, RawFrame& frame, OneKind& kind) {
     const ExtendedXyzColumns& columns = frame.header.columns;
     if (fields.size() != columns.count) {
@@ -95,7 +101,12 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
         const double unit = frame.units.ase_velocity * mass_of_momentum(file, fields, columns);
         frame.velocities.push_back(read_vector(file, fields, *columns.momentum) / unit);
     }
-    if (columns.force) frame.forces.push_back(read_vector(file, fields, *columns.force) / frame.units.force);
+    if (columns.force) {
+        frame.forces.push_back(read_optional_vector(fields, *columns.force) / frame.units.force);
+    }
+    for (const auto& [name, column] : columns.charges) {
+        if (number_or_nan(fields[column]) != 0.0) remark(frame, OneKind::charge_remark(name));
+    }
     if (columns.id) frame.ids.push_back(file.integer(fields[*columns.id], "the id"));
     if (columns.mass) frame.masses.push_back(file.number(fields[*columns.mass], "the mass") / frame.units.mass);
 }
@@ -110,6 +121,11 @@ RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted, 
     frame.header_line = file.line_number();
     frame.header = parse_extended_xyz_header(file, how.comment);
     frame.units = units_of(file, frame.header, premises.si, how.units);
+    for (const std::string& name : frame.header.columns.unused) {
+        remark(frame, fmt::format("the property {} of three numbers is not taken: positions are pos, velocities velo, "
+                                  "vel, velocity or velocities",
+                                  shown(name)));
+    }
     reserve(frame, expected_atoms(file, count));
     std::vector<std::string_view> fields;
     for (Index row = 0; row < count; ++row) {
@@ -127,8 +143,10 @@ Configuration to_configuration(const RawFrame& frame, const AtomOrder& order) {
     configuration.positions = arranged(frame.positions, order.rows);
     configuration.velocities = arranged(frame.velocities, order.rows);
     configuration.masses = arranged(frame.masses, order.rows);
-    configuration.time = frame.header.time.value_or(0.0) / frame.units.time;
-    configuration.step = frame.header.step.value_or(0);
+    if (frame.header.time) configuration.time = *frame.header.time / frame.units.time;
+    configuration.step = frame.header.step;
+    configuration.is_unwrapped = frame.header.tells_unwrapped;
+    configuration.remarks = frame.remarks;
     return configuration;
 }
 
@@ -177,10 +195,8 @@ bool ExtendedXyzTrajectory::read(Frame& frame) {
     const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), {units_, comment_}, premises_);
     if (!raw) return false;
     if (frames() > 0 && is_cut()) file_.fail("the last line has no end");
-    const ExtendedXyzHeader& header = raw->header;
     const AtomOrder order = order_of(file_, *raw);
-    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(), header.tells_unwrapped,
-             order.ids};
+    frame = {.configuration = to_configuration(*raw, order), .ids = order.ids};
     frame.forces = arranged(raw->forces, order.rows);
     check_frame(file_, frame.configuration, order, raw->header_line);
     return true;

@@ -23,17 +23,28 @@ double energy_scale(const std::optional<SubstanceUnits>& si) {
     return si ? si->si(Dimension::energy) / ase_energy : 1.0;
 }
 
+bool has_ids(const FrameContents& contents) {
+    return !contents.source || !contents.source->ids.empty();
+}
+
 std::string header(const State& state, const FrameContents& contents, bool si, const UnitScale& scale) {
     std::string text = fmt::format("{}\n", state.total());
     if (state.has_box()) {
         const Vec3 edges = scale.length * state.box().edges();
         text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
     }
-    text += fmt::format(
-        "Properties=species:S:1:pos:R:3{}{}{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
-        contents.velocities ? ":velo:R:3:momenta:R:3" : "", contents.forces ? ":forces:R:3" : "",
-        contents.energies.empty() ? "" : ":energies:R:1", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
-        state.step, si ? "si" : "reduced");
+    text += fmt::format("Properties=species:S:1:pos:R:3{}{}{}{} pbc=\"{}\"",
+                        contents.velocities ? ":velo:R:3:momenta:R:3" : "", contents.forces ? ":forces:R:3" : "",
+                        contents.energies.empty() ? "" : ":energies:R:1", has_ids(contents) ? ":id:I:1" : "",
+                        state.has_box() ? "T T T" : "F F F");
+    const FrameFacts facts = contents.source.value_or(FrameFacts{state.step, state.time, true, {}});
+    if (facts.time) {
+        text += fmt::format(" Time={}", scale.time * *facts.time);
+    }
+    if (facts.step) {
+        text += fmt::format(" step={}", *facts.step);
+    }
+    text += fmt::format(" units={}{}\n", si ? "si" : "reduced", facts.is_unwrapped ? " positions=unwrapped" : "");
     return text;
 }
 
@@ -46,6 +57,7 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameC
     const char* species = si ? "Ar" : "X";
     const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
     const double energy = energy_scale(si);
+    const bool ids = has_ids(contents);
     const AtomParts parts{.positions = true, .velocities = contents.velocities, .forces = contents.forces};
     visit_by_id(state, parts, [&](const AtomPiece& piece) {
         const std::vector<Vec3> places = piece.unwrapped(state);
@@ -73,7 +85,10 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameC
             if (!contents.energies.empty()) {
                 fmt::format_to(to, FMT_COMPILE(" {}"), energy * contents.energies[id]);
             }
-            fmt::format_to(to, FMT_COMPILE(" {}\n"), id + 1);
+            if (ids) {
+                fmt::format_to(to, FMT_COMPILE(" {}"), id_of(contents, id));
+            }
+            text.push_back('\n');
         });
     });
 }

@@ -47,6 +47,7 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
     require_of_atoms("id", id_);
     check_box();
     check_kind();
+    find_remarks();
     find_frames();
     steps_ = series(group_ + "/position/step", frame_count_);
     times_ = series(group_ + "/position/time", frame_count_);
@@ -253,6 +254,25 @@ void H5mdReader::check_kind() const {
     }
 }
 
+void H5mdReader::find_remarks() {
+    for (const std::string& name : file_.members(group_)) {
+        const Element found = OneKind::is_charge(name) ? element(name) : Element{};
+        if (found.value.empty()) {
+            continue;
+        }
+        require_of_atoms(name, found);
+        const std::vector<double> values =
+            found.fixed ? file_.numbers(found.value) : file_.first_numbers(found.value, 1);
+        if (std::ranges::any_of(values, [](double value) { return value != 0.0; })) {
+            remarks_.push_back(OneKind::charge_remark(name));
+        }
+    }
+    if (file_.exists("connectivity") && !file_.members("connectivity").empty()) {
+        remarks_.emplace_back(
+            "the file has bonds ('connectivity'), which are not taken: ljmd has the pair potential alone");
+    }
+}
+
 /// The values of an array for each frame: the array has one entry per frame, or is an increment from frame to frame.
 /// Nothing if there is no such array.
 /// @param entries  number of values; a longer array is cut to it
@@ -329,14 +349,25 @@ bool H5mdReader::read(Frame& frame) {
     if (k == frame_count_) {
         return false;
     }
-    const double step = steps_.empty() ? 0.0 : steps_[static_cast<std::size_t>(k)];
+    const auto of_frame = [k](const std::vector<double>& values) {
+        return values.empty() ? std::nullopt : std::optional(values[static_cast<std::size_t>(k)]);
+    };
+    const std::optional<double> time = of_frame(times_);
+    const std::optional<double> given_step = of_frame(steps_);
+    const double step = given_step.value_or(0.0);
     if (!(step >= 0.0 && step == std::floor(step) && step < largest_step)) {
         fail(fmt::format("the step must be an integer of at least 0, found {}", step));
     }
     Configuration found;
     found.edges = edges_of(k) / scale_.edges;
-    found.step = static_cast<Index>(step);
-    found.time = times_.empty() ? 0.0 : times_[static_cast<std::size_t>(k)] / scale_.time;
+    if (given_step) {
+        found.step = static_cast<Index>(step);
+    }
+    if (time) {
+        found.time = *time / scale_.time;
+    }
+    found.is_unwrapped = is_ljmd_ || !image_.value.empty();
+    found.remarks = remarks_;
     found.positions = vectors_of(position_, k, scale_.length);
     if (!velocity_.value.empty()) {
         found.velocities = vectors_of(velocity_, k, scale_.velocity);
@@ -357,15 +388,10 @@ bool H5mdReader::read(Frame& frame) {
         found.velocities = arranged(found.velocities, order.rows);
         forces = arranged(forces, order.rows);
     }
-    for (std::size_t atom = 0; atom < forces.size(); ++atom) {
-        if (!forces[atom].allFinite()) {
-            fail(fmt::format("atom {} has a force that is not finite", order.id(static_cast<Index>(atom))));
-        }
-    }
     if (const auto fault = find_fault(found)) {
         fail(fault->atom ? fmt::format("atom {} {}", order.id(*fault->atom), fault->message) : fault->message);
     }
-    frame = {std::move(found), !steps_.empty(), !times_.empty(), is_ljmd_ || !image_.value.empty(), order.ids};
+    frame = {.configuration = std::move(found), .ids = order.ids};
     frame.forces = std::move(forces);
     return true;
 }

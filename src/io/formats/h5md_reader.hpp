@@ -17,6 +17,8 @@ namespace ljmd {
 ///       box                       boundary all periodic; edges (3) or (3, 3) fixed, or value (F, 3) or (F, 3, 3)
 ///       id                        (N) or value (F, N): atoms are sorted by it
 ///       species, mass             (N) or value (F, N), numbers or an enumeration: one kind of atom, see one_kind.hpp
+///       charge                    the same; a remark where one is not 0 in the first frame
+///     connectivity                a remark
 ///
 /// `step` and `time` hold one entry per frame, or the increment between frames with an attribute `offset`; they may be
 /// missing. Positions with an attribute `unit` are converted to reduced units, and so are times and velocities; all of
@@ -51,6 +53,7 @@ class H5mdReader : public TrajectoryReader {
     void require_same_steps(const std::string& name) const;
     void check_box() const;
     void check_kind() const;
+    void find_remarks();
     void require_of_atoms(const std::string& name, const Element& element) const;
     [[nodiscard]] std::vector<double> series(const std::string& array, Index entries) const;
     [[nodiscard]] Vec3 edges_of(Index frame) const;
@@ -73,6 +76,7 @@ class H5mdReader : public TrajectoryReader {
     H5mdScale scale_;
     double force_scale_ = 1.0;  ///< epsilon/sigma in the unit of the forces
     bool is_ljmd_ = false;
+    std::vector<std::string> remarks_;  ///< on what acts on no atom of ljmd
 };
 
 }  // namespace ljmd

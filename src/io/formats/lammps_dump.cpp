@@ -33,6 +33,10 @@ constexpr std::array<const char*, 3> force_names{"fx", "fy", "fz"};
 constexpr std::array<const char*, 3> image_names{"ix", "iy", "iz"};
 constexpr std::array<std::string_view, 3> tilt_names{"xy", "xz", "yz"};
 
+bool is_force(std::string_view column) {
+    return std::ranges::find(force_names, column) != force_names.end();
+}
+
 bool has_all(const LammpsDump& dump, const std::array<const char*, 3>& names) {
     return std::ranges::all_of(names, [&](const char* name) { return dump.has(name); });
 }
@@ -99,13 +103,13 @@ void LammpsDump::read_bounds(std::string_view boundaries) {
     box_line_ = file_.line_number();
     std::vector<std::string_view> fields;
     split_fields(boundaries, fields);
+    if (fields.size() >= 2 && fields[0] == "abc" && fields[1] == "origin") {
+        read_vectors({fields.begin() + 2, fields.end()}, boundaries);
+        return;
+    }
     const bool has_tilt = fields.size() >= 3 && std::equal(tilt_names.begin(), tilt_names.end(), fields.begin());
     fields.erase(fields.begin(), fields.begin() + (has_tilt ? 3 : 0));
-    tells_boundaries_ = !fields.empty();
-    if (tells_boundaries_ && fields != std::vector<std::string_view>(3, "pp")) {
-        file_.fail(fmt::format("the box must be periodic and along the axes, 'ITEM: BOX BOUNDS pp pp pp', found {}",
-                               shown(boundaries)));
-    }
+    check_boundaries(fields, boundaries);
     Mat3 vectors = Mat3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         require_line("the bounds of the box");
@@ -126,6 +130,37 @@ void LammpsDump::read_bounds(std::string_view boundaries) {
     }
     if (!is_orthogonal(vectors)) {
         file_.fail_at(box_line_, "the box is tilted; only orthogonal boxes can be read");
+    }
+}
+
+void LammpsDump::check_boundaries(const std::vector<std::string_view>& names, std::string_view line) {
+    tells_boundaries_ = !names.empty();
+    if (tells_boundaries_ && names != std::vector<std::string_view>(3, "pp")) {
+        file_.fail(fmt::format("the box must be periodic and along the axes, 'ITEM: BOX BOUNDS pp pp pp', found {}",
+                               shown(line)));
+    }
+}
+
+/// A general triclinic box: three vectors, and the corner that they begin at.
+void LammpsDump::read_vectors(const std::vector<std::string_view>& boundaries, std::string_view line) {
+    check_boundaries(boundaries, line);
+    Mat3 vectors;
+    for (int axis = 0; axis < 3; ++axis) {
+        require_line("the vectors of the box");
+        std::vector<std::string_view> fields;
+        split_fields(file_.line(), fields);
+        if (fields.size() != 4) {
+            file_.fail(fmt::format("a vector of the box and a coordinate of its corner were expected, found {}",
+                                   shown(file_.line())));
+        }
+        for (int k = 0; k < 3; ++k) {
+            vectors(axis, k) = file_.number(fields[static_cast<std::size_t>(k)], "a vector of the box");
+        }
+        low_[axis] = file_.number(fields[3], "the corner of the box");
+    }
+    edges_ = vectors.diagonal();
+    if (!(edges_.minCoeff() > 0.0) || !is_orthogonal(vectors)) {
+        file_.fail_at(box_line_, "the vectors of the box are not along the axes; only orthogonal boxes can be read");
     }
 }
 
@@ -158,11 +193,15 @@ LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns)
         wanted.push_back(column(name));
     }
     std::vector<std::size_t> kinds;
+    std::vector<std::size_t> charges;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         if (OneKind::distinguishes_kinds(columns_[k])) {
             kinds.push_back(k);
+        } else if (OneKind::is_charge(columns_[k])) {
+            charges.push_back(k);
         }
     }
+    remarks_.clear();
     std::vector<Index> ids;
     std::vector<double> numbers;
     ids.reserve(expected_atoms(file_, atoms_));
@@ -182,8 +221,15 @@ LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns)
             }
         }
         for (const std::size_t k : wanted) {
-            numbers.push_back(file_.number(fields[k], columns_[k]));
+            numbers.push_back(is_force(columns_[k]) ? number_or_nan(fields[k]) : file_.number(fields[k], columns_[k]));
         }
+        std::erase_if(charges, [&](std::size_t k) {
+            const bool acts = number_or_nan(fields[k]) != 0.0;
+            if (acts) {
+                remarks_.push_back(OneKind::charge_remark(columns_[k]));
+            }
+            return acts;
+        });
     }
     order_ = order_by_id(file_, ids, first_line);
     const Eigen::Map<const Rows> rows(numbers.data(), atoms_, static_cast<Index>(wanted.size()));
@@ -227,7 +273,9 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
     std::vector<Vec3> forces;
     configuration.edges = edges;
     configuration.step = dump_.step();
-    configuration.time = dump_.time().value_or(0.0);
+    configuration.time = dump_.time();
+    configuration.is_unwrapped = found->unwrapped || has_images;
+    configuration.remarks = dump_.remarks();
     for (Index atom = 0; atom < rows.rows(); ++atom) {
         const Vec3 place = rows.row(atom).head<3>();
         const Vec3 image = has_images ? Vec3(rows.row(atom).segment<3>(3)) : Vec3(Vec3::Zero());
@@ -244,8 +292,7 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
         }
     }
     check_frame(dump_.file(), configuration, dump_.order(), dump_.box_line());
-    frame = {std::move(configuration), true, dump_.time().has_value(), found->unwrapped || has_images,
-             dump_.order().ids};
+    frame = {.configuration = std::move(configuration), .ids = dump_.order().ids};
     frame.forces = std::move(forces);
     if (!dump_.tells_boundaries()) {
         warn("'ITEM: BOX BOUNDS' does not tell the boundaries: the box is taken as periodic");

@@ -14,10 +14,12 @@ namespace ljmd {
 
 namespace {
 
-/// Case-sensitive, as programs write them: in a dump `z` is a coordinate.
-constexpr std::array<std::string_view, 14> columns{"species",        "element",  "type",   "types",   "typelabel",
-                                                   "mass",           "masses",   "Z",      "numbers", "atomic_number",
-                                                   "atomic_numbers", "diameter", "radius", "radii"};
+constexpr std::array<std::string_view, 13> columns{"species",  "element", "type",    "types",         "typelabel",
+                                                   "mass",     "masses",  "numbers", "atomic_number", "atomic_numbers",
+                                                   "diameter", "radius",  "radii"};
+constexpr std::string_view atomic_number = "Z";  // in a dump `z` is a coordinate
+
+constexpr std::array<std::string_view, 4> charges{"q", "charge", "charges", "initial_charges"};
 
 std::optional<double> number(std::string_view text) {
     double value = 0.0;
@@ -38,7 +40,16 @@ bool same(std::string_view a, std::string_view b) {
 }  // namespace
 
 bool OneKind::distinguishes_kinds(std::string_view column) {
-    return std::ranges::find(columns, column) != columns.end();
+    return column == atomic_number || std::ranges::find(columns, lower_case(column)) != columns.end();
+}
+
+bool OneKind::is_charge(std::string_view column) {
+    return std::ranges::find(charges, lower_case(column)) != charges.end();
+}
+
+std::string OneKind::charge_remark(std::string_view column) {
+    return fmt::format("the atoms have charges ({}), which are not taken: ljmd has the pair potential alone",
+                       shown(column));
 }
 
 std::string OneKind::add(std::string_view column, std::string_view value) {

@@ -8,6 +8,7 @@
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
 
 namespace ljmd {
 
@@ -17,6 +18,11 @@ namespace ljmd {
 /// @throws what `append` and OutputFile::write() throw
 void write_rows(OutputFile& file, const Execution& execution, std::size_t rows,
                 const std::function<void(std::size_t k, fmt::memory_buffer& text)>& append);
+
+/// The id in the file of the atom of this id in the state: from 1, or that of the source of a copy.
+[[nodiscard]] inline Index id_of(const FrameContents& contents, std::size_t id) {
+    return contents.source && !contents.source->ids.empty() ? contents.source->ids[id] : static_cast<Index>(id) + 1;
+}
 
 /// Append the three numbers of a vector, a space before each.
 void append_vector(const Vec3& v, fmt::memory_buffer& text);

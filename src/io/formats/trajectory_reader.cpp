@@ -19,9 +19,8 @@ constexpr double same_place = 1e-4;  // in units of an edge: allows for digits t
 
 /// The place of a frame in the order of the file: its step, or its time.
 std::optional<double> place_of(const Frame& frame) {
-    const auto step = static_cast<double>(frame.configuration.step);
-    const auto time = frame.has_time ? std::optional(frame.configuration.time) : std::nullopt;
-    return frame.has_step ? std::optional(step) : time;
+    const Configuration& found = frame.configuration;
+    return found.step ? std::optional(static_cast<double>(*found.step)) : found.time;
 }
 
 bool are_same(const std::vector<Vec3>& one, const std::vector<Vec3>& other, const Vec3& edges) {
@@ -47,17 +46,19 @@ bool TrajectoryReader::read_whole(Frame& frame) {
 
 void TrajectoryReader::check_like_first(const Frame& frame) {
     const auto atoms = static_cast<Index>(frame.configuration.positions.size());
+    const bool has_step = frame.configuration.step.has_value();
+    const bool has_time = frame.configuration.time.has_value();
     if (frames_ == 0) {
         atoms_ = atoms;
-        has_step_ = frame.has_step;
-        has_time_ = frame.has_time;
+        has_step_ = has_step;
+        has_time_ = has_time;
         ids_ = frame.ids;
     } else if (atoms != atoms_) {
         fail(fmt::format("{} atoms, but frame 1 has {}", atoms, atoms_));
-    } else if (frame.has_step != has_step_) {
-        fail(frame.has_step ? "a step, which frame 1 has not" : "no step, which frame 1 has");
-    } else if (frame.has_time != has_time_) {
-        fail(frame.has_time ? "a time, which frame 1 has not" : "no time, which frame 1 has");
+    } else if (has_step != has_step_) {
+        fail(has_step ? "a step, which frame 1 has not" : "no step, which frame 1 has");
+    } else if (has_time != has_time_) {
+        fail(has_time ? "a time, which frame 1 has not" : "no time, which frame 1 has");
     } else if (frame.ids.size() != ids_.size()) {
         fail(ids_.empty() ? "ids, which frame 1 has not" : "no ids, which frame 1 has");
     } else if (frame.ids != ids_) {
@@ -88,6 +89,9 @@ bool TrajectoryReader::next(Frame& frame) {
     while (read_whole(frame)) {
         check_like_first(frame);
         ++frames_;
+        for (const std::string& remark : frame.configuration.remarks) {
+            warn(remark);
+        }
         if (is_counted(frame)) {
             return true;
         }

@@ -46,8 +46,8 @@ TEST_CASE("without ids the order in the file counts, and absent columns stay emp
     CHECK(configuration.positions == std::vector<Vec3>{{2, 0, 0}, {1, 0, 0}});
     CHECK(configuration.velocities.empty());
     CHECK(configuration.masses.empty());
-    CHECK(configuration.time == 0.0);
-    CHECK(configuration.step == 0);
+    CHECK_FALSE(configuration.time);
+    CHECK_FALSE(configuration.step);
 }
 
 TEST_CASE("the last of several frames is read, whatever the number of atoms in the others") {
@@ -108,10 +108,24 @@ TEST_CASE("what the comment lines lack is told beside the file") {
     ExtendedXyzTrajectory reader(written.path(), std::nullopt, lattice);
     Frame found;
     REQUIRE(reader.next(found));
-    CHECK_FALSE((found.has_step || found.has_time));
+    CHECK_FALSE((found.configuration.step || found.configuration.time));
     REQUIRE(reader.next(found));
     CHECK(found.configuration.edges == Vec3(4, 5, 6));
     CHECK_FALSE(reader.next(found));
+}
+
+TEST_CASE("names of properties match in any case, unused columns may hold anything, and vectors left out are told") {
+    const Configuration found =
+        read_text("1\n" + lattice + "Properties=Species:S:1:Pos:R:3:Velocity:R:3:Forces:R:3:dipole:R:3:charge:R:1\n" +
+                  "X 1 0 0 4 5 6 nan inf none 0 0 1 -1\n");
+    CHECK(found.positions == std::vector<Vec3>{{1, 0, 0}});
+    CHECK(found.velocities == std::vector<Vec3>{{4, 5, 6}});
+    REQUIRE(found.remarks.size() == 2);
+    CHECK_THAT(found.remarks[0], Contains("the property 'dipole' of three numbers is not taken"));
+    CHECK_THAT(found.remarks[1], Contains("the atoms have charges ('charge')"));
+    CHECK_THAT(
+        data_error([] { (void)read_text("2\n" + lattice + "Properties=SPECIES:S:1:pos:R:3\nAr 1 0 0\nKr 2 0 0\n"); }),
+        Contains("species 'Kr' beside 'Ar'"));
 }
 
 TEST_CASE("ids of atoms may have gaps") {
@@ -187,13 +201,13 @@ TEST_CASE("frames of an extended XYZ file come one after the other, unwrapped wh
     REQUIRE(reader.next(found));
     CHECK(found.configuration.positions == std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}});
     CHECK(found.configuration.step == 3);
-    CHECK_FALSE(found.tells_unwrapped);
+    CHECK_FALSE(found.configuration.is_unwrapped);
     REQUIRE(reader.next(found));
     CHECK(found.configuration.positions == std::vector<Vec3>{{5, 0, 0}, {-1, 0, 0}});
-    CHECK((found.has_step && found.has_time));
+    CHECK((found.configuration.step && found.configuration.time));
     CHECK(found.configuration.step == 9);
     CHECK(found.configuration.time == 0.5);
-    CHECK(found.tells_unwrapped);
+    CHECK(found.configuration.is_unwrapped);
     CHECK_FALSE(reader.next(found));
     CHECK(reader.frames() == 2);
 }

@@ -203,8 +203,8 @@ TEST_CASE("boxes of foreign H5MD files are fixed or not, vectors or matrices") {
             CHECK(frame.configuration.velocities.empty());
             CHECK(frame.configuration.step == 10 * f);
             CHECK(frame.configuration.time == 0.25 * f);
-            CHECK((frame.has_step && frame.has_time));
-            CHECK_FALSE(frame.tells_unwrapped);
+            CHECK((frame.configuration.step && frame.configuration.time));
+            CHECK_FALSE(frame.configuration.is_unwrapped);
         }
     }
 }
@@ -212,7 +212,7 @@ TEST_CASE("boxes of foreign H5MD files are fixed or not, vectors or matrices") {
 TEST_CASE("images of an H5MD file are applied, velocities read") {
     const Read all = read({.image = true, .velocity = true});
     const Frame& last = all.frames.at(2);
-    CHECK(last.tells_unwrapped);
+    CHECK(last.configuration.is_unwrapped);
     CHECK(last.configuration.positions[0] == place(2, 0) + Vec3(0, 5, 12));
     CHECK(last.configuration.positions[1] == place(2, 1) + Vec3(-4, 0, 6));
     CHECK(last.configuration.velocities == std::vector<Vec3>{{0, 0.5, 1}, {1, 1.5, 2}});
@@ -265,7 +265,7 @@ TEST_CASE("what ljmd writes is read back to the last bit, closed or not") {
         CHECK(last.configuration.velocities[1] == Vec3(0.1, 0.2, 0.3));
         CHECK(last.configuration.step == 5);
         CHECK(last.configuration.time == 0.02);
-        CHECK(last.tells_unwrapped);
+        CHECK(last.configuration.is_unwrapped);
         CHECK(all.warning.empty() == (name == std::string("a.h5md")));
     }
 }

@@ -73,8 +73,7 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
     const std::vector<Malformed> cases{
         {1, "the file is in units 'metal'; LAMMPS data must be in units 'lj'",
          "LAMMPS, units = metal\n2 atoms\n" + box + atoms},
-        {3, "the file has 2 atom types, but ljmd has one kind of atom",
-         title + "2 atoms\n2 atom types\n" + box + atoms},
+        {3, "the number of atom types must be from 1 to", title + "2 atoms\n0 atom types\n" + box + atoms},
         {2, "must be at least 1, found 0", title + "0 atoms\n" + box},
         {2, "must be an integer, found '2.0'", title + "2.0 atoms\n" + box + atoms},
         {2, "announces 1000000000000 atoms, but only 6 lines follow", title + "1000000000000 atoms\n" + box + atoms},
@@ -90,14 +89,22 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
         {7, "the box is tilted", head + "0 1e-9 0 xy xz yz\n" + atoms},
         {7, "a tilt factor must be a finite number", head + "0 nan 0 xy xz yz\n" + atoms},
         {7, "expected 'xy xz yz xy xz yz'", head + "0 0 xy xz yz\n" + atoms},
-        {7, "the box is given by three vectors", head + "4 0 0 avec\n" + atoms},
+        {7, "the box is tilted", head + "4 0 1 avec\n" + atoms},
+        {7, "expected three numbers and 'avec'", head + "4 0 avec\n" + atoms},
+        {7, "the file has bonds, but the atoms of ljmd have the pair potential alone", head + "1 bonds\n" + atoms},
+        {11, "the file has angles, but", head + atoms + "Angles\n\n1 1 1 2 3\n"},
+        {8, "epsilon = '2.0' and sigma = '1.0', but in reduced units both are 1",
+         head + "Pair Coeffs\n1 2.0 1.0\n" + atoms},
+        {8, "epsilon = '1' and sigma = '1.1', but", head + "PairIJ Coeffs # lj/cut\n1 1 1 1.1\n" + atoms},
+        {8, "coefficients of pair style 'morse', which are not read", head + "Pair Coeffs # morse\n1 1 1 1\n" + atoms},
+        {8, "coefficients of pair style 'lj/class2'", head + "Pair Coeffs # hybrid\n1 lj/class2 1 1\n" + atoms},
         {7, "atom style 'full' cannot be read; the allowed style is 'atomic'",
          head + "Atoms # full\n\n1 1 1 0 0 0 0\n"},
         {9, "6 columns, but atom style 'atomic' has 5", head + "Atoms\n\n1 1 0.5 1 0 1\n2 1 0.5 2 0 1\n"},
         {10, "8 columns, but atom style", head + "Atoms\n\n1 1 1 0 1\n2 1 2 0 1 0 0 0\n"},
         {10, "7 columns, but atom style", head + "Atoms\n\n1 1 1 0 1 0 0 0\n2 1 2 0 1 0 0\n"},
         {10, "0 columns, but atom style", head + "Atoms\n\n1 1 1 0 1\n# nothing\n2 1 2 0 1\n"},
-        {10, "atom type '2', but ljmd has one kind of atom", head + "Atoms\n\n1 1 1 0 1\n2 2 2 0 1\n"},
+        {10, "atom type 2, but the header has atom types 1 to 1", head + "Atoms\n\n1 1 1 0 1\n2 2 2 0 1\n"},
         {10, "a coordinate must be a finite number, found 'nan'", head + "Atoms\n\n1 1 1 0 1\n2 1 2 nan 1\n"},
         {9, "an image flag must be an integer, found '0.5'", head + "Atoms\n\n1 1 1 0 1 0 0 0.5\n2 1 2 0 1 0 0 0\n"},
         {9, "atom 1 is more than 1000000 edges away", head + "Atoms\n\n1 1 1 0 1 0 0 2000000000000\n2 1 2 0 1 0 0 0\n"},
@@ -120,7 +127,7 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
         {14, "a line follows the last one of section Velocities",
          head + atoms + "Velocities\n1 0 0 0\n2 0 0 0\n3 0 0 0\n"},
         {14, "section Velocities is given twice", head + atoms + "Velocities\n1 0 0 0\n2 0 0 0\nVelocities\n"},
-        {8, "expected '1 mass', found '2 1.0'", head + "Masses\n2 1.0\n" + atoms},
+        {8, "atom type 2, but the header has atom types 1 to 1", head + "Masses\n2 1.0\n" + atoms},
         {8, "the mass must be positive, found 0", head + "Masses\n1 0\n" + atoms},
         {9, "section Masses is given twice", head + "Masses\n1 1\nMasses\n1 1\n" + atoms}};
     for (const Malformed& wrong : cases) {
@@ -129,6 +136,25 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
         CHECK_THAT(message, Catch::Contains("start.txt:" + std::to_string(wrong.line) + ": "));
         CHECK_THAT(message, Catch::Contains(wrong.fragment));
     }
+}
+
+TEST_CASE("of several atom types in LAMMPS data one may have all atoms, and its mass and coefficients count") {
+    const std::string two = title + "2 atoms\n2 atom types\n" + box + "Masses\n\n1 3\n2 1\n\n" +
+                            "Pair Coeffs # lj/cut\n\n1 5 5\n2 1 1 2.5\n\nAtoms\n\n";
+    const Configuration second = read_text(two + "1 2 1 0 1\n2 2 2 0 1\n");
+    CHECK(second.masses == std::vector<double>(2, 1.0));
+    REQUIRE(second.remarks.size() == 1);
+    CHECK_THAT(second.remarks[0], Catch::Contains("a cutoff (2.5), which is not taken"));
+    CHECK_THAT(data_error([&] { (void)read_text(two + "1 1 1 0 1\n2 1 2 0 1\n"); }), Catch::Contains("epsilon = '5'"));
+    CHECK_THAT(data_error([&] { (void)read_text(two + "1 2 1 0 1\n2 1 2 0 1\n"); }),
+               Catch::Contains("atom type 1 beside 2, but ljmd has one kind of atom"));
+}
+
+TEST_CASE("three vectors along the axes are an orthogonal box in LAMMPS data") {
+    const Configuration found = read_text(title + "2 atoms\n4 0 0 avec\n0 5 0 bvec\n0 0 6 cvec\n0 -1 1 abc origin\n" +
+                                          "Atoms\n\n1 1 1 0 1\n2 1 2 0 1\n");
+    CHECK(found.edges == Vec3(4, 5, 6));
+    CHECK(found.positions == std::vector<Vec3>{{1, 1, 0}, {2, 1, 0}});
 }
 
 TEST_CASE("the count of atoms marks a LAMMPS header") {

@@ -66,7 +66,7 @@ TEST_CASE("a dump is read frame by frame, atoms in the order of ids") {
 TEST_CASE("positions of a dump are unwrapped, scaled or wrapped, from the corner of the box") {
     const auto positions = [](const std::string& columns, const std::string& atoms) {
         const Frame found = read_text(head + "ITEM: ATOMS " + columns + "\n" + atoms);
-        return std::pair(found.configuration.positions, found.tells_unwrapped);
+        return std::pair(found.configuration.positions, found.configuration.is_unwrapped);
     };
     const std::vector<Vec3> expected{{1, 2, 3}, {6, -3, 4}};
     CHECK(positions("id xu yu zu", "1 0 2 5\n2 5 -3 6\n") == std::pair(expected, true));
@@ -84,10 +84,10 @@ TEST_CASE("positions of a dump are unwrapped, scaled or wrapped, from the corner
 TEST_CASE("a dump may tell its units, its times and velocities") {
     const Frame found = read_text("ITEM: UNITS\nlj\nITEM: TIME\n0.035\n" + head +
                                   "ITEM: ATOMS id element x y z vx vy vz\n2 Ar 0 1 3 4 5 6\n1 Ar 0 0 3 1 2 3\n");
-    CHECK(found.has_time);
+    CHECK(found.configuration.time);
     CHECK(found.configuration.time == 0.035);
     CHECK(found.configuration.velocities == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
-    CHECK_FALSE(read_text(frame).has_time);
+    CHECK_FALSE(read_text(frame).configuration.time);
     CHECK(read_text(frame).configuration.velocities.empty());
 }
 
@@ -128,6 +128,16 @@ TEST_CASE("the dump of a group has ids with gaps, the same in all frames") {
                Contains("start.txt:22: frame 2: other atoms than in frame 1: id 901, where that has id 900"));
 }
 
+TEST_CASE("a general triclinic box along the axes is an orthogonal one") {
+    const Frame found = read_text(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n"
+        "4 0 0 -1\n0 5 0 2\n0 0 6 0\nITEM: ATOMS id x y z q fx fy fz\n1 0 3 1 -0.5 nan nan nan\n");
+    CHECK(found.configuration.edges == Vec3(4, 5, 6));
+    CHECK(found.configuration.positions == std::vector<Vec3>{{1, 1, 1}});
+    REQUIRE(found.configuration.remarks.size() == 1);
+    CHECK_THAT(found.configuration.remarks[0], Contains("the atoms have charges ('q'), which are not taken"));
+}
+
 TEST_CASE("a dump that cannot be used is refused, with its line") {
     const std::vector<Malformed> cases{
         {2, "the step must be an integer", with(frame, "\n7\n", "\nx\n")},
@@ -138,7 +148,10 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         {6, "two bounds of the box and a tilt factor were expected", with(frame, "pp pp pp", "xy xz yz pp pp pp")},
         {5, "the box is tilted", tilted("0 1e-9 0")},
         {6, "a tilt factor must be a finite number", tilted("nan 0 0")},
-        {5, "found ' abc origin pp pp pp'", with(frame, "pp pp pp", "abc origin pp pp pp")},
+        {6, "a vector of the box and a coordinate of its corner", with(frame, "pp pp pp", "abc origin pp pp pp")},
+        {5, "not along the axes",
+         "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n"
+         "4 0.1 0 0\n0 5 0 0\n0 0 6 0\nITEM: ATOMS id x y z\n1 0 0 0\n"},
         {7, "two bounds of the box were expected", with(frame, "\n0 5\n", "\n0 5 1\n")},
         {7, "the upper bound of the box must be above", with(frame, "\n0 5\n", "\n5 5\n")},
         {7, "a bound of the box must be a finite number", with(frame, "\n0 5\n", "\n0 inf\n")},

@@ -4,6 +4,7 @@
 
 #include "io/output_fixtures.hpp"
 #include "io/three_atoms.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/io/formats/lammps_dump.hpp"
 
 using namespace ljmd;
@@ -47,4 +48,21 @@ TEST_CASE("a dump reads back as the state that it was written from, to the last 
     CHECK_FALSE(dump.has("vx"));
     CHECK_FALSE(dump.has("c_pe"));
     CHECK_THAT(content_of(folder / "a.lammpsdump"), !Contains("ITEM: TIME\n"));
+}
+
+TEST_CASE("the dump of a copy tells no more than its source") {
+    const TemporaryFolder folder;
+    State state = three_atoms();
+    state.wrap();
+    OutputFile file(folder / "a.lammpsdump");
+    write_lammps_dump_frame(file, state, {.source = FrameFacts{.step = 40, .ids = {3, 7, 9}}});
+    CHECK_THROWS_AS(write_lammps_dump_frame(file, state, {.source = FrameFacts{}}), ContractViolation);
+    file.close();
+    LammpsDump dump(folder / "a.lammpsdump");
+    REQUIRE(dump.next_frame());
+    CHECK(dump.step() == 40);
+    CHECK_FALSE(dump.has("ix"));
+    const auto rows = dump.read_atoms({"id", "x", "y", "z"});
+    CHECK(rows(2, 0) == 9.0);
+    CHECK(Vec3(rows.row(2).tail<3>()) == state.unwrapped(state.index_of()[2]));
 }

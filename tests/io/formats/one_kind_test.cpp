@@ -25,7 +25,8 @@ TEST_CASE("numbers are the same within their rounding, words are not numbers") {
 }
 
 TEST_CASE("columns that tell kinds apart are known in all formats, and a coordinate is none of them") {
-    for (const char* name : {"type", "element", "species", "mass", "masses", "Z", "numbers", "typelabel", "diameter"}) {
+    for (const char* name :
+         {"type", "element", "species", "mass", "masses", "Z", "numbers", "typelabel", "diameter", "Species", "MASS"}) {
         CAPTURE(name);
         CHECK(OneKind::distinguishes_kinds(name));
     }

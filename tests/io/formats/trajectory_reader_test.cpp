@@ -54,7 +54,7 @@ std::string later(const std::string& frame, int step, double moved = 0.0) {
 std::vector<Index> steps_of(const Read& read) {
     std::vector<Index> steps;
     for (const Frame& frame : read.frames) {
-        steps.push_back(frame.configuration.step);
+        steps.push_back(frame.configuration.step.value());
     }
     return steps;
 }
@@ -85,7 +85,7 @@ TEST_CASE("the format of a trajectory is recognised by its content") {
         CHECK(found.positions == std::vector<Vec3>{{1, 2, 3}, {2, 2, 3}});
         CHECK(found.velocities.empty());
         CHECK(found.step == 7);
-        CHECK(all.frames[0].has_step);
+        CHECK(all.frames[0].configuration.step);
         CHECK(all.warning.empty());
     }
 }

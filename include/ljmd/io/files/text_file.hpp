@@ -83,6 +83,12 @@ void split_fields(std::string_view text, std::vector<std::string_view>& fields);
 /// True when the whole field is a number, even infinite or out of range. Exponents may be Fortran's: 1.5D+02.
 [[nodiscard]] bool is_number(std::string_view field);
 
+/// The number in a field that nobody relies on; NaN for anything that is no number.
+[[nodiscard]] double number_or_nan(std::string_view field);
+
+/// A text with its letters from A to Z in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// A piece of a file for messages: in quotes, unprintable bytes as \xNN, cut after 40 bytes.
 [[nodiscard]] std::string shown(std::string_view text);
 

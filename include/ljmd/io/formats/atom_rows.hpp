@@ -25,6 +25,9 @@ void next_atom_line(TextFile& file, Index row, Index count);
 /// The three numbers in `fields`, starting at `first`.
 [[nodiscard]] Vec3 read_vector(const TextFile& file, const std::vector<std::string_view>& fields, std::size_t first);
 
+/// The same for numbers that only some commands need: NaN in place of what is no number.
+[[nodiscard]] Vec3 read_optional_vector(const std::vector<std::string_view>& fields, std::size_t first);
+
 /// The order of atoms in a block of lines: atom k (from 0) is in line first_line + rows[k].
 struct AtomOrder {
     std::vector<Index> ids;  ///< id of atom k in the file; empty when the file has none: ids then count from 1

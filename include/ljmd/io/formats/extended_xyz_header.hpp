@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ljmd/core/types.hpp"
 #include "ljmd/io/files/text_file.hpp"
@@ -19,8 +20,10 @@ struct ExtendedXyzColumns {
     std::optional<std::size_t> force;
     std::optional<std::size_t> id;
     std::optional<std::size_t> mass;
-    std::map<std::string, std::size_t> kinds;  ///< properties that distinguish kinds of atoms, see one_kind.hpp
-    std::size_t count = 0;                     ///< number of columns
+    std::map<std::string, std::size_t> kinds;    ///< properties that distinguish kinds of atoms, see one_kind.hpp
+    std::map<std::string, std::size_t> charges;  ///< see OneKind::is_charge()
+    std::vector<std::string> unused;             ///< properties of three numbers that nobody takes
+    std::size_t count = 0;                       ///< number of columns
 };
 
 /// The contents of the comment line of an extended XYZ frame, in the units of the file.
@@ -39,8 +42,8 @@ struct ExtendedXyzHeader {
 ///     Lattice="10 0 0 0 10 0 0 0 10" Properties=species:S:1:pos:R:3:velo:R:3:id:I:1 pbc="T T T" Time=0 step=0 units=si
 ///     Lattice=[[10, 0, 0], [0, 10, 0], [0, 0, 10]] pbc={1 1 1}
 ///
-/// Keys are case-insensitive. Lattice is required: orthorhombic with a positive diagonal. Properties defaults to
-/// species and position.
+/// Keys and names of properties are case-insensitive. Lattice is required: orthorhombic with a positive diagonal.
+/// Properties defaults to species and position.
 /// @param file     at the comment line, for messages
 /// @param comment  keys missing from the file, in the same form: a box, or units. No key may be in both
 /// @throws DataError for a value that cannot be used, or a key with two values

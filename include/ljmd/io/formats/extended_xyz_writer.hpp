@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "ljmd/core/units.hpp"
 #include "ljmd/io/files/open_directory.hpp"
@@ -10,11 +11,22 @@
 
 namespace ljmd {
 
+/// What is known of a frame beside its atoms. What is not known is not written.
+struct FrameFacts {
+    std::optional<Index> step;
+    std::optional<double> time;  ///< [tau]
+    bool is_unwrapped = false;   ///< positions are known to continue across the walls
+    std::vector<Index> ids;      ///< of the atoms, ascending; empty: they are known by their order alone
+};
+
 /// What a frame holds beside the positions.
 struct FrameContents {
     bool velocities = false;
     bool forces = false;                    ///< @pre those of the state are current
     std::span<const double> energies = {};  ///< of the atoms, by id [epsilon], see atom_energies(); empty: none
+    /// Of a copy, what its source tells. None for a state of a run, whose step, time and displacements are known and
+    /// whose ids count from 1.
+    std::optional<FrameFacts> source = {};
 };
 
 /// Append one frame in extended XYZ: the number of atoms, a comment line, one line per atom in the order of ids.
@@ -26,7 +38,8 @@ struct FrameContents {
 /// species [u]. That velocity is in ASE's unit sqrt(eV/u), in a reduced file in sigma/tau.
 /// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are those of ASE,
 /// which takes them as results of a calculator. Numbers have as many digits as are needed to read back the same double.
-/// Positions are unwrapped; ids count from 1. Without a box there is no Lattice, and pbc="F F F".
+/// Positions are unwrapped and `positions=unwrapped` says so, or they are as in the source of a copy; ids count from 1,
+/// or are those of the source. Without a box there is no Lattice, and pbc="F F F".
 ///
 /// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
 ///            [angstrom/ps], Time [ps]; forces [eV/angstrom], energies [eV]

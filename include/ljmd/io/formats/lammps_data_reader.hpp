@@ -7,10 +7,14 @@ namespace ljmd {
 
 /// Read a LAMMPS data file in units lj; a first line that names other units is refused.
 ///
-/// Read are the numbers of atoms and of atom types (one type: ljmd has one kind of atom), the bounds of an orthogonal
-/// box (tilt factors must be zero) and the sections Masses, Atoms (style atomic: id type x y z, with or without three
-/// image flags) and Velocities. Other header lines and the other sections of LAMMPS are skipped. Positions are shifted
-/// by -(xlo, ylo, zlo) and unwrapped with the image flags.
+/// Read are the numbers of atoms and of atom types, the bounds of an orthogonal box (tilt factors must be zero, three
+/// vectors along the axes) and the sections Masses, Atoms (style atomic: id type x y z, with or without three image
+/// flags) and Velocities. All atoms must have one type: ljmd has one kind of atom. Positions are shifted by -(xlo, ylo,
+/// zlo) and unwrapped with the image flags.
+///
+/// A file of another fluid is refused: with Pair Coeffs or PairIJ Coeffs of the type that has atoms other than epsilon
+/// = sigma = 1 of a style lj/..., with bonds, angles, dihedrals, impropers, or with bodies other than points. A cutoff
+/// in Pair Coeffs gives a remark. Other header lines, other Coeffs and Type Labels are skipped.
 ///
 /// @param file  at its start
 /// @throws DataError with file and line

@@ -18,7 +18,8 @@ namespace ljmd {
 ///     ITEM: UNITS, ITEM: TIME             optional; units must be lj
 ///     ITEM: TIMESTEP
 ///     ITEM: NUMBER OF ATOMS
-///     ITEM: BOX BOUNDS pp pp pp           an orthogonal, periodic box; xy xz yz before pp: tilt factors, of zero
+///     ITEM: BOX BOUNDS pp pp pp           an orthogonal, periodic box; xy xz yz before pp: tilt factors, of zero;
+///                                         abc origin before pp: three vectors along the axes, and a corner
 ///     ITEM: ATOMS id ...                  columns in any order, atoms in any order; ids may have gaps
 ///
 /// Dumps of LAMMPS before 2010 do not name the boundaries; these are taken as periodic.
@@ -46,8 +47,11 @@ class LammpsDump {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
     /// Read the atoms of the frame; may be called once per frame. More than one kind of atom is refused.
-    /// @throws DataError, also for a missing column
+    /// Forces that are no numbers are NaN. @throws DataError, also for a missing column
     [[nodiscard]] Rows read_atoms(const std::vector<std::string>& columns);
+
+    /// On columns that act on no atom of ljmd, in the atoms read last.
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
     /// In which line each atom was.
     [[nodiscard]] const AtomOrder& order() const { return order_; }
@@ -59,6 +63,8 @@ class LammpsDump {
     void require_line(std::string_view what);
     void read_item(std::string_view item, Index atoms);
     void read_bounds(std::string_view boundaries);
+    void read_vectors(const std::vector<std::string_view>& boundaries, std::string_view line);
+    void check_boundaries(const std::vector<std::string_view>& names, std::string_view line);
     void read_columns(std::string_view names);
     [[nodiscard]] std::size_t column(std::string_view name) const;
 
@@ -74,6 +80,7 @@ class LammpsDump {
     std::vector<std::string> columns_;
     AtomOrder order_;
     OneKind kind_;
+    std::vector<std::string> remarks_;
 };
 
 /// A dump as a trajectory. Positions are xu yu zu or xsu ysu zsu, else x y z or xs ys zs, unwrapped if there are ix iy

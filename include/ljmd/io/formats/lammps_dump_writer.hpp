@@ -13,10 +13,11 @@ namespace ljmd {
 ///     ITEM: BOX BOUNDS pp pp pp                           from 0
 ///     ITEM: ATOMS id type x y z ix iy iz vx vy vz fx fy fz c_pe
 ///
-/// Positions are in the box, with the number of edges crossed. Velocities, forces and energies (c_pe, as of LAMMPS'
+/// Positions are in the box, with the number of edges crossed; of a copy whose source does not tell that its positions
+/// are unwrapped, they are as there, without ix iy iz. Velocities, forces and energies (c_pe, as of LAMMPS'
 /// compute pe/atom) stand there where they are asked for. The time is left out: readers such as MDAnalysis refuse
 /// ITEM: TIME. Numbers have as many digits as are needed to read back the same double.
-/// @pre the state has a box, and its atoms are in it
+/// @pre the state has a box, and its atoms are in it; the source of a copy has a step (ContractViolation)
 /// Source: LAMMPS documentation, dump command
 /// @throws FileError
 void write_lammps_dump_frame(OutputFile& file, const State& state, const FrameContents& contents);

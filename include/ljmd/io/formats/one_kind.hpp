@@ -11,8 +11,14 @@ namespace ljmd {
 class OneKind {
   public:
     /// Whether a column of a dump, a property of extended XYZ or an element of H5MD distinguishes kinds of atoms:
-    /// species, element, type, mass, atomic number, size.
+    /// species, element, type, mass, atomic number, size; in any case.
     [[nodiscard]] static bool distinguishes_kinds(std::string_view column);
+
+    /// Whether such a column holds charges, which act on no atom of ljmd.
+    [[nodiscard]] static bool is_charge(std::string_view column);
+
+    /// The remark on a column of charges that are not all 0.
+    [[nodiscard]] static std::string charge_remark(std::string_view column);
 
     /// Add the value of an atom in a column. Numbers within a millionth count as equal, because masses in files are
     /// rounded.

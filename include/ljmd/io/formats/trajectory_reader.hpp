@@ -14,15 +14,11 @@ namespace ljmd {
 
 /// One frame of a trajectory. Positions may lie outside the box. Velocities may be missing in some frames.
 struct Frame {
-    Configuration configuration;  ///< step and time are 0 where the file has none
-    bool has_step = false;
-    bool has_time = false;
-    /// The positions are unwrapped: the file says so, or image flags were applied.
-    bool tells_unwrapped = false;
+    Configuration configuration;
     std::vector<Index> ids{};  ///< of the atoms, ascending; empty if the file has none
     bool begins_anew = false;  ///< true where this frame does not continue the one before it, because files were joined
     /// On the atoms [epsilon/sigma], as some program has computed them; empty if the file has none. ljmd judges them,
-    /// and computes its own for everything else.
+    /// and computes its own for everything else. NaN where the file has no finite number.
     std::vector<Vec3> forces{};
 };
 
