@@ -8,8 +8,15 @@
 
 namespace ljmd::simd {
 
-/// Width of the widest vector registers.
-inline constexpr int widest_register_bytes = __BIGGEST_ALIGNMENT__;
+/// Width of the widest vector registers. From the instruction sets: __BIGGEST_ALIGNMENT__ is 16 with clang at every
+/// level.
+#if defined(__AVX512F__)
+inline constexpr int widest_register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr int widest_register_bytes = 32;
+#else
+inline constexpr int widest_register_bytes = 16;
+#endif
 
 /// Width of the vector registers that this translation unit computes with, and alignment of their types.
 #if defined(LJMD_SIMD_256)

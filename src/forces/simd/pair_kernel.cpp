@@ -170,6 +170,7 @@ class Row {
 
     LJMD_INLINE void meet_by_twos(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
                                   const std::int32_t* end) {
+        static_assert(width > 1, "the last row of single atoms has no part of its own cluster left to begin with");
         for (; first + 1 < parts; ++first, ++mask) {
             meet_own(own + first * others, *mask);
         }

@@ -4,9 +4,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "execution/test_execution.hpp"
 #include "forces/every_potential.hpp"
+#include "forces/simd/pair_kernel.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -52,6 +55,22 @@ void check_against_scalar_sum(Precision precision, double tolerance_of_forces, d
 }
 
 }  // namespace
+
+TEST_CASE("kernels have vectors as wide as the registers of their level, whatever the compiler") {
+    const std::map<std::string, int> bytes{{"x86-64-v2", 16},
+                                           {"x86-64-v3", 32},
+                                           {"x86-64-v4", 64},
+                                           {"x86-64-v4-256", 32},
+                                           {"x86-64-v4-intel", 64}};
+    for (const SimdLevel level : simd::levels) {  // of processors that this one is not, too
+        if (const auto known = bytes.find(std::string(name(level))); known != bytes.end()) {
+            CAPTURE(name(level));
+            const auto& [in_double, mixed] = pair_kernels(level).row_shapes;
+            CHECK(in_double.atoms * in_double.others * 8 == known->second);
+            CHECK(mixed.atoms * mixed.others * 4 == known->second);
+        }
+    }
+}
 
 TEST_CASE("kernels of every SIMD level in double give what the scalar sum gives, for every potential") {
     check_against_scalar_sum(Precision::double_precision, 1e-13, 1e-13);
