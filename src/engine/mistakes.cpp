@@ -119,23 +119,17 @@ std::vector<Mistake> stage_mistakes(const std::vector<Stage>& stages) {
 }
 
 std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
-    const Stage* sampled = nullptr;
-    const Stage* reversed = nullptr;  // the first one after it
+    bool sampled = false;
+    bool turned = false;  // since it was sampled
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
-        reversed = reversed == nullptr && sampled != nullptr && stage.reverse ? &stage : reversed;
-        if (stage.sample && stage.steps > 0) {
-            if (reversed != nullptr) {
-                const std::string turned =
-                    reversed == &stage
-                        ? "turns the motion round and is sampled"
-                        : fmt::format("is sampled after '{}' has turned the motion round", reversed->name);
-                found.add({"sample", "reverse"},
-                          fmt::format("stage '{}' {}: what '{}' has sampled would count as new when it comes again",
-                                      stage.name, turned, sampled->name),
-                          "set sample = false in it, or in the stages before the reversal");
-            }
-            sampled = sampled == nullptr ? &stage : sampled;
+        const bool samples = stage.sample && stage.steps > 0;
+        turned = turned || (sampled && stage.reverse);
+        if (samples && turned) {
+            found.add({"sample", "reverse"},
+                      "this stage samples again what was sampled before the motion was turned round",
+                      "set sample = false in it, or in the stages before the reversal");
         }
+        sampled = sampled || samples;
         if (!stage.integrator.options || (stage.thermostat && !stage.thermostat->options) ||
             (stage.barostat && !stage.barostat->options)) {
             found.add({},

@@ -108,10 +108,9 @@ TEST_CASE("a fluid is not sampled on both sides of a reversal, wherever it is") 
     const Mistake back = only(mistakes_of("-sr"));
     CHECK(back.index == 2);
     CHECK(back.keys == std::vector<std::string>{"sample", "reverse"});
-    CHECK_THAT(back.message, Contains("stage '2' turns the motion round and is sampled: what '1' has sampled"));
+    CHECK_THAT(back.message, Contains("samples again what was sampled before"));
     const Mistake later = only(mistakes_of("sR-s"));
     CHECK(later.index == 3);
-    CHECK_THAT(later.message, Contains("stage '3' is sampled after '1' has turned the motion round"));
     CHECK(only(mistakes_of("sRRs")).index == 3);
     CHECK(only(mistakes_of("-rr")).index == 2);
     CHECK(mistakes_of("srs").size() == 2);

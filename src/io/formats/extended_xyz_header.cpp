@@ -229,7 +229,8 @@ ExtendedXyzColumns parse_columns(const TextFile& file, std::string_view text) {
     columns.mass = column_of(file, properties, mass_names, "R", 1);
     for (const Property& property : properties) {
         if (property.columns == 1 && OneKind::distinguishes_kinds(property.name)) {
-            columns.kinds.emplace(property.lower_name == "species" ? property.lower_name : property.name, columns.count);
+            columns.kinds.emplace(property.lower_name == "species" ? property.lower_name : property.name,
+                                  columns.count);
         }
         if (property.columns == 1 && OneKind::is_charge(property.name)) {
             columns.charges.emplace(property.name, columns.count);

@@ -100,7 +100,8 @@ TEST_CASE("an answer that cannot be used is refused with the file and what is ex
               "must hold one frame with forces, it has none"},
              {"point.xyz", frame("step=0") + frame("step=1"), "it has 2 frames"},
              {"point.xyz",
-              "2\nLattice=\"5 0 0 0 6 0 0 0 7\" Properties=species:S:1:pos:R:3:forces:R:3\nX 1 1 1 0 0 0\nX 2 2 2 0 nan 0\n",
+              "2\nLattice=\"5 0 0 0 6 0 0 0 7\" Properties=species:S:1:pos:R:3:forces:R:3\nX 1 1 1 0 0 0\nX 2 2 2 0 "
+              "nan 0\n",
               "frame 1: atom 2 has a force that is not finite"},
              {"frames.xyz", frame("step=0", "5 0 0 0 6 0 0 0 7.1"), "the edges of the box are 5, 6, 7.1"},
              {"frames.xyz", "1\nLattice=\"5 0 0 0 6 0 0 0 7\" step=0\nX 1 1 1\n",

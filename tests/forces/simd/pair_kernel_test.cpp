@@ -57,11 +57,8 @@ void check_against_scalar_sum(Precision precision, double tolerance_of_forces, d
 }  // namespace
 
 TEST_CASE("kernels have vectors as wide as the registers of their level, whatever the compiler") {
-    const std::map<std::string, int> bytes{{"x86-64-v2", 16},
-                                           {"x86-64-v3", 32},
-                                           {"x86-64-v4", 64},
-                                           {"x86-64-v4-256", 32},
-                                           {"x86-64-v4-intel", 64}};
+    const std::map<std::string, int> bytes{
+        {"x86-64-v2", 16}, {"x86-64-v3", 32}, {"x86-64-v4", 64}, {"x86-64-v4-256", 32}, {"x86-64-v4-intel", 64}};
     for (const SimdLevel level : simd::levels) {  // of processors that this one is not, too
         if (const auto known = bytes.find(std::string(name(level))); known != bytes.end()) {
             CAPTURE(name(level));
