@@ -126,9 +126,16 @@ def ended_and_taken_over(number):
 
 
 def out_of_time(t):
+    """In the midst of runs that no machine brings to their ends, and before the first one."""
     t.deck()
+    endless = [word.replace("=20000", "=1000000000") for word in LONG]
+    t.run_well(*endless, "endless", "--prepare")
+    result = t.expect(75, t.run("sweep", "--work", "1/1", "endless", "--jobs", "3", "--walltime", "0.5s"))
+    t.contains(result.err, "stopped; to go on, give the same command again\n")
+    found = states(t, "endless")
+    t.check(set(found) <= {"stopped", "not begun"}, f"states {found}")
     t.run_well(*LONG, "out", "--prepare")
-    result = t.expect(75, t.run("sweep", "--work", "1/1", "out", "--jobs", "3", "--walltime", "0.5s"))
+    result = t.expect(75, t.run("sweep", "--work", "1/1", "out", "--jobs", "3", "--walltime", "1e-9 s"))
     t.contains(result.err, "stopped; to go on, give the same command again\n")
     found = states(t)
     t.check("failed" not in found and "running" not in found, f"states {found}")

@@ -12,13 +12,15 @@ class Alarm:
     """Sends SIGINT to this process, from another thread, when the run first tells its progress."""
 
     def __enter__(self):
-        self.begun = threading.Event()
+        self.begun, self.over = threading.Event(), False
         self.thread = threading.Thread(target=self.send)
         self.thread.start()
         return self
 
     def send(self):
-        self.begun.wait(60)
+        self.begun.wait()
+        if self.over:
+            return
         time.sleep(0.01)  # until the engine computes again
         self.sent = time.monotonic()
         os.kill(os.getpid(), signal.SIGINT)
@@ -36,7 +38,14 @@ class Alarm:
         raise TimeoutError("nobody has interrupted this")
 
     def __exit__(self, kind, error, trace):
-        self.late = time.monotonic() - self.sent
+        if not self.begun.is_set():
+            self.over = True
+            self.begun.set()
+            self.thread.join()
+            if kind is None:
+                raise AssertionError("the run has ended before it told its progress")
+            return False  # what it was ended by is what went wrong
         self.thread.join()
+        self.late = time.monotonic() - self.sent
         self.note = "".join(getattr(error, "__notes__", []))
         return kind is KeyboardInterrupt

@@ -137,14 +137,27 @@ class Bits(Case):
         self.assertEqual(ljmd.resume(folder, progress=False).stages, run.stages)  # this process has it
 
     def test_an_interrupted_run_is_resumed_with_the_same_bits(self):
-        deck = long_deck(3000, atoms=108)
-        deck.potential.cutoff = 2.0
-        whole = deck.run(external=wave, progress=False)
+        """Interrupted twice, because it has no end; its rows are those of a run in one piece, and a run that is stopped at
+        its first step has the results, too."""
+        def deck(steps):
+            made = long_deck(steps, atoms=108)
+            made.potential.cutoff = 2.0
+            return made
+
         parts = self.folder / "parts"
         with Alarm() as alarm:
-            deck.run(parts, external=wave, progress=alarm.tell)
+            deck(10**9).run(parts, external=wave, progress=alarm.tell)
         self.assertFalse(ljmd.open(parts).finished)
-        again = ljmd.resume(parts, external=wave, progress=False)
+        first = len(ljmd.open(parts).thermo)
+        with Alarm() as alarm:
+            ljmd.resume(parts, external=wave, progress=alarm.tell)
+        found = ljmd.open(parts).thermo
+        self.assertGreater(len(found), first)
+        whole = deck(int(found["step"].max())).run(external=wave, progress=False)
+        np.testing.assert_array_equal(found, whole.thermo[:len(found)])
+        short = self.folder / "short"
+        self.assertRaises(ljmd.Interrupted, deck(300).run, short, external=wave, walltime=1e-9, progress=False)
+        again, whole = ljmd.resume(short, external=wave, progress=False), deck(300).run(external=wave, progress=False)
         self.assertEqual(again.stages, whole.stages)
         self.assertEqual(again["external_energy"], whole["external_energy"])
 

@@ -60,7 +60,13 @@ def find(program):
 
 def missing():
     """What a cluster needs and this computer lacks; None if nothing."""
-    return next((program for program in PROGRAMS if not find(program)), None)
+    if lacking := next((program for program in PROGRAMS if not find(program)), None):
+        return lacking
+    try:
+        socket.getaddrinfo(socket.gethostname(), None)  # Slurm's daemons look it up, and would try again and again
+    except OSError as error:
+        return f"address of the name of this computer, '{socket.gethostname()}' ({error}); an entry in /etc/hosts is enough"
+    return None
 
 
 def wait_until(condition, what):
