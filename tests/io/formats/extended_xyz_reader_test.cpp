@@ -8,6 +8,7 @@
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 
 using namespace ljmd;
+using Catch::Matchers::Contains;
 using ljmd::test::data_error;
 using ljmd::test::Malformed;
 using ljmd::test::WrittenFile;

@@ -13,10 +13,10 @@ namespace ljmd {
 
 /// What is known of a frame beside its atoms. What is not known is not written.
 struct FrameFacts {
-    std::optional<Index> step;
-    std::optional<double> time;  ///< [tau]
-    bool is_unwrapped = false;   ///< positions are known to continue across the walls
-    std::vector<Index> ids;      ///< of the atoms, ascending; empty: they are known by their order alone
+    std::optional<Index> step = {};
+    std::optional<double> time = {};  ///< [tau]
+    bool is_unwrapped = false;        ///< positions are known to continue across the walls
+    std::vector<Index> ids = {};      ///< of the atoms, ascending; empty: they are known by their order alone
 };
 
 /// What a frame holds beside the positions.
