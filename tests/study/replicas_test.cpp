@@ -1,6 +1,8 @@
 #include "ljmd/study/replicas.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <functional>
 #include <set>
 
 #include "ljmd/core/errors.hpp"
@@ -118,4 +120,39 @@ TEST_CASE("the results of replicas are merged") {
     CHECK(content_of(out / "results.txt") == report.text);
     CHECK(parse_json(content_of(out / "results.json")) == report.data);
     CHECK_THAT(content_of(out / "rdf.csv"), Contains("r,g,g_standard_error"));
+}
+
+TEST_CASE("what a replica does not tell is told of all, and nothing is lost without a word") {
+    const DeckFolder folder(small_deck);
+    const SweepPlan plan = replica_plan(folder.load({"stage.production.steps=400"}), {"stage.production.steps=400"}, 3);
+    const TemporaryFolder out;
+    const std::vector<ChildRun> runs = run_all(plan, out / "");
+    const auto change = [&](std::size_t run, const std::function<void(Data&)>& work) {
+        const fs::path path = runs[run].directory / "results.json";
+        Data results = parse_json(content_of(path));
+        work(results["observables"]);
+        std::ofstream(path) << to_json(results);
+    };
+    const auto report = [&] { return replicas_report(folder.load(), runs, out / ""); };
+
+    change(1, [](Data& all) {
+        all["pressure"]["mean"] = nullptr;
+        all["pressure"]["standard_error"] = nullptr;
+        all["pressure"]["remark"] = "it is not known";
+        all["temperature"]["remark"] = "it is odd";
+    });
+    const Document some = report();
+    const Data& pressure = some.data["observables"]["pressure"];
+    CHECK(pressure["mean"].is_null());
+    CHECK_THAT(pressure["remark"].text(),
+               Contains("1 of 3 replicas have no value") && Contains("in 1 of 3 replicas: it is not known"));
+    CHECK_THAT(some.data["observables"]["temperature"]["remark"].text(), Contains("in 1 of 3 replicas: it is odd"));
+    CHECK_THAT(some.text, Contains("it is not known") && Contains("it is odd"));
+
+    change(2, [](Data& all) {
+        for (const auto& [name, entry] : Data(all).members()) {
+            all[name]["samples"] = 300;
+        }
+    });
+    CHECK_THAT(report().text, Contains("the replicas have 300 to 400 samples: each counts by its length"));
 }
