@@ -65,7 +65,7 @@ def words_of_others(t):
     (t.dir / "out/run.json").write_text(json.dumps({**record, "began": "\x9b31mnow\nfinished      never"}))
     texts += [t.run_well("info", "out").out, t.run_well("info", "out", "--json").out, t.expect(3, t.run("info", "\x1b[2J")).err]
     (t.dir / "out/run.json").write_text(json.dumps({**record, "deck": "\x1b[2J = \x9b"}))
-    texts.append(t.expect(2, t.run("info", "out")).err)
+    texts.append(t.expect(3, t.run("info", "out")).err)
     for text in texts:
         t.check(not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f]", text), f"a control character in {text!r}")
     t.contains(texts[3], "began         ?31mnow?finished      never\n")
