@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional
 from unittest import mock
 
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
-sys.path.insert(0, str(ANALYSIS))
+sys.path[:0] = [str(ANALYSIS), str(Path(__file__).resolve().parents[1])]
 
 import numpy as np  # noqa: E402
 import script  # noqa: E402  (it finds the package ljmd)

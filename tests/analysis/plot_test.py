@@ -15,6 +15,7 @@ import fonts
 import numpy as np
 import sources
 import table_pictures
+import waiting
 from comparison_pictures_test import write_comparison
 from fixtures import ANALYSIS, EIGHT, check_error, edit, plot, png_size, refused, write_gravity
 from fluid_pictures_test import DECK, stop, write_run
@@ -187,7 +188,7 @@ def test_ctrl_c_ends_it_without_a_word(tmp: Path) -> None:
     with subprocess.Popen([sys.executable, str(ANALYSIS / "plot.py"), str(run)], stderr=subprocess.PIPE, text=True) as process:
         with open(tmp / "pipe", "w", encoding="utf-8"):  # waits until it is read
             process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=60) == -signal.SIGINT
+        assert process.wait(timeout=waiting.PATIENCE) == -signal.SIGINT
         assert process.stderr.read() == ""
     assert [path.name for path in run.iterdir() if path.suffix == ".png" or path.name.startswith(".half")] == []
 

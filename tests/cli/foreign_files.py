@@ -5,13 +5,13 @@ import resource
 import shutil
 import signal
 import subprocess
-import time
 
-from harness import DECK, Case, Failure, Skip, check_same_run, clean_environment, snapshot
+from harness import DECK, Case, Skip, check_same_run, clean_environment, snapshot
+import waiting
 
 FRAMES = ("thermo = { every = 5 }",
           'thermo = { every = 5 }\ntrajectory = { format = "h5md", every = 5 }\ncheckpoint = { every = 10 }')
-LONG = ("steps = 40", "steps = 6000")
+LONG = ("steps = 40", "steps = 20000")
 SWEEP = ("sweep", "deck.toml", "--grid", "system.density=0.8|0.85", "--jobs", "1", "--quiet", "--out", "out")
 NOBODY = 65534
 
@@ -28,11 +28,9 @@ def same_files(t, found, expected, what):
 
 def stop_when(process, path):
     """Let a process wait as soon as a file is there."""
-    while not path.exists():
-        if process.poll() is not None:
-            raise Failure(f"ended before there was {path}: {process.communicate()[1]}")
-        time.sleep(0.001)
+    waiting.until(path.exists, f"there is {path}", process)
     process.send_signal(signal.SIGSTOP)
+    waiting.until_stopped(process)
 
 
 def names_that_look_temporary(t):
@@ -73,7 +71,7 @@ def exports_into_one_directory(t):
     t.run_well("export", "deck.toml", "--to", "extxyz", "--out", "alone")
     programs = [start(t, "export", "deck.toml", "--to", target, "--out", "x", "--force")
                 for target in ("extxyz", "h5md", "lammps") * 4]
-    talk = [program.communicate(timeout=60)[1] for program in programs]
+    talk = [program.communicate(timeout=waiting.PATIENCE)[1] for program in programs]
     t.equal([program.returncode for program in programs], [0] * 12, f"exit codes; {''.join(talk)}")
     t.equal(t.read("x/start.xyz"), t.read("alone/start.xyz"), "start.xyz")
     t.equal(t.files("x"), ["in.lammps", "start.data", "start.h5md", "start.xyz"], "files")
@@ -103,7 +101,7 @@ def a_run_goes_where_its_directory_is(kind, resumed):
             stop_when(process, t.dir / "out/checkpoint.1")  # the second one of the run, the first one of a resumed run
             stand_in_for(t, kind, "foreign")
             process.send_signal(signal.SIGCONT)
-            _, talk = process.communicate(timeout=60)
+            _, talk = process.communicate(timeout=waiting.PATIENCE)
         finally:
             process.kill()
         t.equal(process.returncode, 0, f"exit code; {talk}")
@@ -122,7 +120,7 @@ def a_sweep_ends_when_its_directory_is_moved(t):
         stop_when(process, t.dir / "out/points/density=0.8/run.json")
         stand_in_for(t, "directory", "foreign")
         process.send_signal(signal.SIGCONT)
-        _, talk = process.communicate(timeout=60)
+        _, talk = process.communicate(timeout=waiting.PATIENCE)
     finally:
         process.kill()
     t.equal(process.returncode, 9, f"exit code; {talk}")

@@ -18,8 +18,7 @@ from typing import Callable
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import same_bits  # noqa: E402
-
-TIME_LIMIT = 300  # seconds; a program that takes longer hangs
+import waiting  # noqa: E402
 
 DECK = """\
 title = "small"
@@ -156,7 +155,7 @@ class Context:
         return self.command(["/bin/sh", "-c", script], env={**clean_environment(), "LJMD": self.ljmd})
 
     def command(self, command, **options):
-        options = {"cwd": self.dir, "capture_output": True, "stdin": subprocess.DEVNULL, "timeout": TIME_LIMIT,
+        options = {"cwd": self.dir, "capture_output": True, "stdin": subprocess.DEVNULL, "timeout": waiting.PATIENCE,
                    "env": clean_environment(), **options}
         try:
             done = subprocess.run(command, check=False, **options)

@@ -1,16 +1,17 @@
 """ljmd compare --with command:... and files:...: the engine of docs/judge.md is right, and each mistake made in it on purpose is
 found and called by its name; engines that fail in other ways get one message each."""
 
+import os
 import random
 import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 from compares import needs
 from harness import DECK, STARS, Case, compare_refused, same_bits_environment
+import waiting
 
 ENGINE = Path(__file__).resolve().parents[2] / "docs/examples/engine.py"
 STEPS = ("--steps", "100", "--quiet")
@@ -152,15 +153,15 @@ FAILURES = {  # name -> script, words of the message
     "writes too few forces": ("open(into + '/point.json', 'w').write('{\"forces\": [[0, 0, 0]]}')", ["'forces' holds 1 vectors, the problem has 108 atoms"]),
     "has other atoms": (FRAME, ["frame 1 has 107 atoms, the problem has 108"]),
     "has another box": (FRAME.replace("107", "108"), ["the edges of the box are 5, 5, 5"]),
-    "hangs": ("import time; time.sleep(100)", ["the engine was stopped after 1 s"]),
-    "prints much": ("for k in range(1100): print('x' * 65536)\nimport time; time.sleep(100)", ["prints more than 64 MiB"]),
+    "hangs": ("import signal; signal.pause()", ["the engine was stopped after 1 s"]),
+    "prints much": ("for k in range(1100): print('x' * 65536)\nimport signal; signal.pause()", ["prints more than 64 MiB"]),
 }
 
 
 def failure(text, words):
     def test(t):
         t.deck()
-        timeout = "1s" if "sleep(100)" in text and "print" not in text else "1min"
+        timeout = "1s" if "pause" in text and "print" not in text else "10min"
         result = t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", timeout, "--with", script(t, text)))
         t.equal(result.out, "", "stdout")
         t.equal(result.err.count("error: "), 1, "number of errors")
@@ -185,28 +186,34 @@ def files_are_named_as_the_user_does(t):
                "warning: {output}/point.json: the key 'flux' is not known")
 
 
+# An engine whose child waits until somebody writes to `gate`, and ljmd until both have ended.
+WAITS = "command:sh -c 'echo $$ >began; mv began pid; read word <gate' & wait # {input} {output}"
+
+
+def child_is_stopped(t):
+    waiting.until(lambda: not waiting.is_alive(int(t.read("pid"))), "the child of the engine has ended")
+
+
 def children_are_stopped(t):
     """Nothing that the engine has started goes on after it was stopped."""
     t.deck()
-    with_sleep = "command:sh -c 'sleep 2; touch late' & wait # {input} {output}"
-    t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", "0.3s", "--with", with_sleep))
-    t.shell("sleep 2.5")
-    t.check("late" not in t.files(), "a child of the engine went on")
+    os.mkfifo(t.dir / "gate")
+    t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", "0.3s", "--with", WAITS))
+    if "pid" in t.files():  # its child had begun
+        child_is_stopped(t)
 
 
 def interrupted(t):
     """Ctrl-C, which does not reach the engine's own group, ends ljmd, the engine and what it has started."""
     t.deck()
-    process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with",
-                                "command:sh -c 'touch began; sleep 2; touch late' & wait # {input} {output}"],
-                               cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    while "began" not in t.files() and process.poll() is None:
-        time.sleep(0.02)
+    os.mkfifo(t.dir / "gate")
+    process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with", WAITS], cwd=t.dir,
+                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    waiting.until((t.dir / "pid").exists, "the child of the engine has begun", process)
     process.send_signal(signal.SIGINT)
-    t.contains(process.communicate(timeout=60)[1].decode(), "stopped")
+    t.contains(process.communicate(timeout=waiting.PATIENCE)[1].decode(), "stopped")
     t.equal(process.returncode, 130, "exit code")
-    t.shell("sleep 2.5")
-    t.check("late" not in t.files(), "a child of the engine went on")
+    child_is_stopped(t)
 
 
 def paths_are_quoted(t):

@@ -3,13 +3,12 @@
 import json
 import math
 import os
-import pathlib
 import re
 import signal
 import subprocess
-import time
 
-from harness import ARGON, DECK, STARS, TIME_LIMIT, Case, Failure, clean_environment, snapshot
+from harness import ARGON, DECK, STARS, Case, clean_environment, snapshot
+import waiting
 
 SUBSTANCE = DECK.replace("[system]", ARGON + "\n[system]")
 ALL_OUTPUTS = ('thermo = { every = 5 }',
@@ -214,18 +213,6 @@ def processor_time(times):
     return times.children_user + times.children_system
 
 
-def stop_after(process, seconds):
-    """Let a process wait once it has used that much processor time."""
-    while True:
-        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
-        if (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") >= seconds:
-            process.send_signal(signal.SIGSTOP)
-            return
-        if fields[0] == "Z":
-            raise Failure("the process ended before it could be stopped")
-        time.sleep(0.002)
-
-
 def a_run_that_ends_meanwhile_is_not_replaced(t):
     """A start that takes long is made before the directory is taken; what comes to lie there until then is kept."""
     t.deck()
@@ -238,10 +225,11 @@ def a_run_that_ends_meanwhile_is_not_replaced(t):
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     try:
         # By then it has read its deck and looked at the directory, and is far from having placed its atoms.
-        stop_after(slow, small_run + 0.05)
+        waiting.until_used(slow, small_run + 0.05)
+        slow.send_signal(signal.SIGSTOP)
         t.run_well("run", "deck.toml", "--out", "out", "--quiet")
         slow.send_signal(signal.SIGCONT)
-        _, error = slow.communicate(timeout=TIME_LIMIT)
+        _, error = slow.communicate(timeout=waiting.PATIENCE)
     finally:
         slow.kill()
     t.equal(slow.returncode, 2, "exit code")

@@ -6,12 +6,11 @@ import re
 import select
 import shutil
 import subprocess
-import time
 from pathlib import Path
 
 from harness import Case, Failure, Skip, clean_environment
+import waiting
 
-PATIENCE = 60  # seconds until a shell hangs
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = {"run", "resume", "check", "compare", "export", "bench", "eos", "reproduce", "sweep", "analyze", "info", "init",
             "help", "version", "completion"}
@@ -124,12 +123,10 @@ class Shell:
         mark = f"end-{self.count}."
         os.write(self.ours, (keys + f"\necho end-$(({self.count})).\n").encode())
         seen = b""
-        end = time.monotonic() + PATIENCE
         while mark.encode() not in seen:  # what is typed, and echoed, has the number in $(( ))
-            if time.monotonic() > end:
+            if not select.select([self.ours], [], [], waiting.PATIENCE)[0]:
                 raise Failure(f"the shell hangs after {keys!r}: {seen!r}")
-            if select.select([self.ours], [], [], 1.0)[0]:
-                seen += os.read(self.ours, 65536)
+            seen += os.read(self.ours, 65536)
         arguments = re.findall(r"<([^<>\r\n]*)>(?=[<\r\n])", seen.decode().replace("printf '<%s>'", ""))
         return arguments
 

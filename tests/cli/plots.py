@@ -4,9 +4,9 @@ import json
 import os
 import signal
 import subprocess
-import time
 
-from harness import DECK, STARS, Case, Failure, Skip, clean_environment
+from harness import STARS, Case, Skip, clean_environment
+import waiting
 
 
 ASKED = {}  # once: starting Python and its modules takes a second
@@ -38,8 +38,12 @@ def a_fluid(t):
 def stopped_and_failed(t):
     """Runs are drawn as far as they got."""
     environment = python_environment(t)
-    t.deck(("steps = 40", "steps = 400000"))
-    t.expect(75, t.run("run", "deck.toml", "--quiet", "--out", "stopped", "--walltime", "0.5s"))
+    t.deck(("steps = 40", "steps = 1000000000"))
+    process = subprocess.Popen([t.ljmd, "run", "deck.toml", "--quiet", "--out", "stopped"], cwd=t.dir, env=environment)
+    rows = t.dir / "stopped/thermo.csv"
+    waiting.until(lambda: rows.exists() and rows.stat().st_size > 2000, "some rows", process)
+    process.terminate()
+    t.equal(process.wait(waiting.PATIENCE), 128 + signal.SIGTERM, "exit code")
     t.equal(pictures(t, "stopped", env=environment), ["stopped/thermo.png"], "pictures of a stopped run")
     t.deck(("time_step = 0.004\nsteps = 40", "time_step = 0.2\nsteps = 40"))
     t.expect(5, t.run("run", "deck.toml", "--quiet", "--force", "--out", "failed"))
@@ -113,12 +117,12 @@ def no_python(t):
 
 def opened_for(process, pipe):
     """A pipe, open for writing once the process reads it. (An ordinary open would wait for ever if it never does.)"""
-    while process.poll() is None:
+    def opened():
         try:
             return os.open(pipe, os.O_WRONLY | os.O_NONBLOCK)
         except OSError:  # nobody reads it yet
-            time.sleep(0.01)
-    raise Failure(f"ended with {process.returncode} before it read {pipe.name}")
+            return None
+    return waiting.until(opened, f"{pipe.name} is read", process)
 
 
 def interrupted(t):
@@ -131,7 +135,7 @@ def interrupted(t):
     with subprocess.Popen([t.ljmd, "plot", "out"], cwd=t.dir, env=environment, stderr=subprocess.PIPE) as process:
         with os.fdopen(opened_for(process, t.dir / "pipe"), "wb"):
             process.send_signal(signal.SIGINT)
-        t.equal(process.wait(60), -signal.SIGINT, "the end by SIGINT")
+        t.equal(process.wait(waiting.PATIENCE), -signal.SIGINT, "the end by SIGINT")
         t.equal(process.stderr.read(), b"", "stderr")
     t.equal([name for name in t.files("out") if name.endswith(".png")], [], "pictures")
 

@@ -5,14 +5,12 @@ import re
 import resource
 import signal
 import subprocess
-import time
-from pathlib import Path
 
 from compares import needs_openmm
 from harness import Case, Failure, Skip, clean_environment
+import waiting
 from resumes import LONG, end, has_begun, start
 
-PATIENCE = 60  # seconds
 SWEEP = ("sweep", "deck.toml", "--grid", "system.temperature=1.2|2.0", "--jobs", "2", "--out", "out")
 
 # Says that it is LAMMPS, and then runs until it is killed.
@@ -24,23 +22,8 @@ if [ "$1" = -h ]; then
 fi
 echo $$ >"$HERE/started"
 mv "$HERE/started" "$HERE/pid"
-exec sleep 600
+exec tail -f /dev/null
 """
-
-
-def wait_until(condition, what):
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            raise Failure(f"never: {what}")
-        time.sleep(0.005)
-
-
-def is_alive(pid):
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
-    except OSError:
-        return False
 
 
 def blocked(number):
@@ -72,7 +55,7 @@ def ignored_ends_of_children(t):
     deaf = {"preexec_fn": lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN)}
     t.run_well(*SWEEP, "--quiet", **deaf)
     t.run_well("reproduce", "verlet1967", "--quick", "--rows", "0.45:2.935", "--out", "table", "--quiet", **deaf)
-    (t.dir / "lmp").write_text(ENDLESS_LAMMPS.replace("exec sleep 600", "exit 3"))
+    (t.dir / "lmp").write_text(ENDLESS_LAMMPS.replace("exec tail -f /dev/null", "exit 3"))
     (t.dir / "lmp").chmod(0o700)
     result = t.run("compare", "deck.toml", "--with", "lammps", "--quiet",
                    env={**clean_environment(), "LJMD_LAMMPS": str(t.dir / "lmp"), "HERE": str(t.dir)}, **deaf)
@@ -90,7 +73,7 @@ def used_up_processor_time(t):
 def no_room_for_threads_of_lammps(t):
     t.deck()
     (t.dir / "lmp").write_text(ENDLESS_LAMMPS.replace("NONE", "OPENMP").replace(
-        "exec sleep 600", "echo 'libgomp: Thread creation failed: Resource temporarily unavailable'; exit 1"))
+        "exec tail -f /dev/null", "echo 'libgomp: Thread creation failed: Resource temporarily unavailable'; exit 1"))
     (t.dir / "lmp").chmod(0o700)
     result = t.run("compare", "deck.toml", "--with", "lammps", "--threads", "4", "--quiet",
                    env={**clean_environment(), "LJMD_LAMMPS": str(t.dir / "lmp"), "HERE": str(t.dir)})
@@ -109,17 +92,16 @@ def comparison_ended_by(number):
             [t.ljmd, "compare", "deck.toml", "--with", "lammps", "--quiet"], cwd=t.dir, stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             env={**clean_environment(), "LJMD_LAMMPS": str(t.dir / "lmp"), "HERE": str(t.dir), "TMPDIR": str(scratch)})
-        wait_until(lambda: (t.dir / "pid").exists() or process.poll() is not None, "LAMMPS began")
-        t.check(process.poll() is None, "the comparison ended before")
+        waiting.until((t.dir / "pid").exists, "LAMMPS has begun", process)
         lammps = int(t.read("pid"))
         t.check(len(t.files("scratch")) > 1, "LAMMPS has no files")
         process.send_signal(number)
-        t.equal(process.wait(timeout=PATIENCE), -number, "exit code")
+        t.equal(process.wait(timeout=waiting.PATIENCE), -number, "exit code")
         try:
-            wait_until(lambda: not is_alive(lammps), "LAMMPS ended")
-            wait_until(lambda: not any(scratch.iterdir()), "its folder was removed")
+            waiting.until(lambda: not waiting.is_alive(lammps), "LAMMPS has ended")
+            waiting.until(lambda: not any(scratch.iterdir()), "its folder is removed")
         finally:
-            if is_alive(lammps):
+            if waiting.is_alive(lammps):
                 os.kill(lammps, signal.SIGKILL)
     return test
 

@@ -5,9 +5,9 @@ import io
 import json
 import signal
 import subprocess
-import time
 
 from harness import Case, clean_environment, held, same_bits_environment, snapshot
+import waiting
 
 TWO_ROWS = ("reproduce", "verlet1967", "--quick", "--rows", "0.85:0.786,0.45:2.935", "--out", "out")
 DENSE, THIN = "rho0.8500-T0.786", "rho0.4500-T2.935"
@@ -61,11 +61,9 @@ def stopped_and_gone_on_with(number, code):
         process = subprocess.Popen([t.ljmd, *TWO_ROWS[:-1], "again"], cwd=t.dir, env=clean_environment(),
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         begun = t.dir / "again" / "rows" / DENSE / "thermo.csv"
-        while process.poll() is None and not begun.exists():
-            time.sleep(0.001)
-        time.sleep(0.05)
+        waiting.until(lambda: begun.exists() and begun.stat().st_size > 1000, "the first rows of the dense state", process)
         process.send_signal(number)
-        _, talk = process.communicate(timeout=60)
+        _, talk = process.communicate(timeout=waiting.PATIENCE)
         t.equal(process.returncode, code, "exit code")
         t.contains(talk.decode(), "stopped; to go on, give the same command again\n")
         t.check(not (t.dir / "again" / "rows.csv").exists(), "rows.csv is there already")

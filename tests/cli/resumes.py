@@ -10,10 +10,10 @@ import shutil
 import signal
 import struct
 import subprocess
-import time
 
-from harness import (Case, Failure, Result, STARS, TIME_LIMIT, check_same_run, clean_environment, decoded, run_outputs,
+from harness import (Case, Failure, Result, STARS, check_same_run, clean_environment, decoded, run_outputs,
                      snapshot)
+import waiting
 
 LONG = ("--set", "stage.production.steps=20000")
 OUTPUTS = [("thermo = { every = 5 }", 'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 10 }\n'
@@ -27,25 +27,17 @@ def start(t, *arguments, stderr=subprocess.PIPE, **options):
 
 def end(process):
     try:
-        out, err = process.communicate(timeout=TIME_LIMIT)
+        out, err = process.communicate(timeout=waiting.PATIENCE)
     except subprocess.TimeoutExpired as late:
         process.kill()
         raise Failure("hangs") from late
     return Result(process.returncode, decoded(out), decoded(err))
 
 
-def wait_until(t, condition, process, what):
-    deadline = time.monotonic() + TIME_LIMIT
-    while not condition():
-        t.check(process.poll() is None, f"the run ended before {what}")
-        t.check(time.monotonic() < deadline, f"never: {what}")
-        time.sleep(0.002)
-
-
 def has_begun(t, process, out="out"):
     """A checkpoint is there, and rows of thermo.csv after it."""
-    wait_until(t, lambda: (t.dir / out / "checkpoint.1").exists() and (t.dir / out / "thermo.csv").stat().st_size > 2000,
-               process, "its first rows")
+    waiting.until(lambda: (t.dir / out / "checkpoint.1").exists() and (t.dir / out / "thermo.csv").stat().st_size > 2000,
+                  "its first rows", process)
 
 
 def same_run(t, found, expected):
@@ -75,13 +67,15 @@ def stopped_by(number):
 def stopped_while_the_start_is_made(t):
     """Nothing would be lost, so nothing is waited for; and making the start takes its part of the wall time."""
     t.deck()
-    slow = ("--set", 'system.lattice={type="random",atoms=100000}', "--set", "stage.melt.steps=100000")
-    process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *slow)
-    time.sleep(0.5)
+    def slow(atoms):
+        return "--set", f'system.lattice={{type="random",atoms={atoms}}}', "--set", "stage.melt.steps=100000"
+
+    process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *slow(2_000_000))
+    waiting.until_used(process, 0.2)  # of which the deck takes little, and the start takes a hundred times as much
     process.send_signal(signal.SIGTERM)
     t.equal(end(process).code, -signal.SIGTERM, "exit code")
     t.check(not (t.dir / "out").exists(), "there is a directory")
-    result = t.expect(75, t.run("run", "deck.toml", "--out", "out", "--quiet", "--walltime", "0.1s", *slow))
+    result = t.expect(75, t.run("run", "deck.toml", "--out", "out", "--quiet", "--walltime", "1e-9s", *slow(10_000)))
     t.contains(result.err, "stopped after step 0 by the end of its wall time; to go on: ljmd resume out\n")
 
 
@@ -97,7 +91,7 @@ def second_signal(t):
     process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *LONG, stderr=full)
     has_begun(t, process)
     process.send_signal(signal.SIGINT)
-    wait_until(t, lambda: not signal_is_pending(process, signal.SIGINT), process, "the first signal was noticed")
+    waiting.until(lambda: not signal_is_pending(process, signal.SIGINT), "the first signal is noticed", process)
     process.send_signal(signal.SIGINT)
     t.equal(end(process).code, -signal.SIGINT, "exit code")
     os.close(unread)
@@ -119,7 +113,7 @@ def held_and_let_go(t):
     process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *LONG)
     has_begun(t, process)
     process.send_signal(signal.SIGSTOP)
-    time.sleep(0.2)
+    waiting.until_stopped(process)
     process.send_signal(signal.SIGCONT)
     t.expect(0, end(process))
     t.run_well("run", "deck.toml", "--out", "whole", "--quiet", *LONG)

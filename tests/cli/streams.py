@@ -6,9 +6,9 @@ import pty
 import re
 import select
 import subprocess
-import time
 
-from harness import DECK, TIME_LIMIT, Case, Failure, Skip, clean_environment
+from harness import DECK, Case, Failure, Skip, clean_environment
+import waiting
 
 LONG = DECK.replace("steps = 40", "steps = 400")  # long enough for a few lines of progress
 RATE = r"\[(melt|production)\] +\d+ % step \d+/\d+  [\d.e+]+ steps/s  [\d.e+]+ atom-steps/s  ETA (\d+:)*\d+"
@@ -21,10 +21,7 @@ def on_a_terminal(t, *arguments):
                           env=clean_environment()) as program:
         os.close(theirs)
         seen = b""
-        end = time.monotonic() + TIME_LIMIT
-        while time.monotonic() < end:
-            if not select.select([ours], [], [], 1.0)[0]:
-                continue
+        while select.select([ours], [], [], waiting.PATIENCE)[0]:
             try:
                 data = os.read(ours, 65536)
             except OSError:  # Linux: the other end is closed

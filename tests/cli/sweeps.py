@@ -6,10 +6,10 @@ import json
 import os
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 from harness import DECK, STARS, Case, clean_environment, held, run_outputs, snapshot
+import waiting
 
 GRID = ("sweep", "deck.toml", "--grid", "system.temperature=1.2:2.0:2,system.density=0.7|0.8442", "--jobs", "2", "--out", "out")
 POINTS = [("1.2", "0.7"), ("1.2", "0.8442"), ("2", "0.7"), ("2", "0.8442")]
@@ -109,8 +109,7 @@ def begin_long(t, out):
     process = subprocess.Popen([t.ljmd, *LONG, out], cwd=t.dir, env=clean_environment(), stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE)
     record = t.dir / out / LONG_POINT / "checkpoint.2"
-    while process.poll() is None and not record.exists():
-        time.sleep(0.001)
+    waiting.until(record.exists, "the second checkpoint", process)
     return process
 
 
@@ -147,7 +146,7 @@ def stopped_and_gone_on_with(number, code):
         t.run_well(*LONG, "out", "--quiet")
         process = begin_long(t, "again")
         process.send_signal(number)
-        out, talk = process.communicate(timeout=60)
+        out, talk = process.communicate(timeout=waiting.PATIENCE)
         t.equal((process.returncode, out), (code, b""), "exit code and stdout")
         t.contains(talk.decode(), "stopped; to go on, give the same command again\n")
         t.check(not (t.dir / "again" / "sweep.csv").exists(), "sweep.csv is there already")
@@ -167,7 +166,7 @@ def ended_and_gone_on_with(*numbers):
         t.equal(len(victims), 1, "processes of the sweep")
         for number in numbers:
             process.send_signal(number)
-        process.communicate(timeout=60)
+        process.communicate(timeout=waiting.PATIENCE)
         t.run_well(*LONG, "again", "--quiet")
         check_resumed(t)
     return test
@@ -179,7 +178,7 @@ def the_deck_may_change_meanwhile(t):
     process = begin_long(t, "out")
     t.deck(("seed = 7", "seed = 8"))
     process.send_signal(signal.SIGTERM)
-    process.communicate(timeout=60)
+    process.communicate(timeout=waiting.PATIENCE)
     t.expect(2, t.run(*LONG, "out"))
     t.deck()
     t.run_well(*LONG, "out", "--quiet")

@@ -12,10 +12,10 @@ import signal
 import struct
 import subprocess
 import termios
-import time
 
 from emulator import Terminal, columns_of
-from harness import ARGON, DECK, STARS, TIME_LIMIT, Case, Failure, clean_environment
+from harness import ARGON, DECK, STARS, Case, Failure, clean_environment
+import waiting
 
 LINE = re.compile(r"\r\x1b\[\?7l([^\r]+?)\x1b\[J\x1b\[\?7h\r")  # a line of progress as the program writes it
 SOME = 8  # lines of progress before an interruption
@@ -51,7 +51,7 @@ class Program:
 
     def read(self):
         """@return whether the program is still there"""
-        if not select.select([self.ours], [], [], TIME_LIMIT)[0]:
+        if not select.select([self.ours], [], [], waiting.PATIENCE)[0]:
             self.program.kill()
             raise Failure("hangs on a terminal")
         try:
@@ -66,13 +66,10 @@ class Program:
 
     def wait_for(self, size):
         """Until so many bytes can be read; they are not."""
-        end = time.monotonic() + TIME_LIMIT
-        waiting = 0
-        while waiting < size:
-            if time.monotonic() > end:
-                raise Failure(f"only {waiting} bytes in {TIME_LIMIT} s")
-            time.sleep(0.02)
-            waiting, = struct.unpack("i", fcntl.ioctl(self.ours, termios.FIONREAD, bytes(4)))
+        def there():
+            return struct.unpack("i", fcntl.ioctl(self.ours, termios.FIONREAD, bytes(4)))[0]
+
+        waiting.until(lambda: there() >= size, f"{size} bytes on the terminal", self.program)
 
     def progress(self):
         return LINE.findall(self.seen)
@@ -254,8 +251,7 @@ def no_progress_on_a_dumb_terminal(t):
                           stderr=theirs, env={**clean_environment(), "TERM": "dumb"}) as program:
         os.close(theirs)
         seen = b""
-        end = time.monotonic() + TIME_LIMIT
-        while time.monotonic() < end:
+        while True:
             try:
                 data = os.read(ours, 65536)
             except OSError:

@@ -6,10 +6,10 @@ import re
 import shutil
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 from harness import Case, Skip, clean_environment, held, run_outputs, snapshot
+import waiting
 from sweeps import children, outputs, times
 
 REQUEST = ("sweep", "deck.toml", "--grid", "system.temperature=1.2:2.0:3,system.density=0.7|0.8442", "--out")
@@ -27,14 +27,8 @@ def start(t, *arguments):
 
 
 def end(process):
-    out, err = process.communicate(timeout=300)
+    out, err = process.communicate(timeout=waiting.PATIENCE)
     return process.returncode, out, err
-
-
-def wait_until(t, condition, process):
-    while process.poll() is None and not condition():
-        time.sleep(0.001)
-    t.check(condition(), "the program ended too early")
 
 
 def states(t, directory="out"):
@@ -108,7 +102,7 @@ def ended_and_taken_over(number):
         t.run_well(*LONG, "out", "--prepare")
         worker = start(t, "sweep", "--work", "1/3", "out")
         point = t.dir / "out/points/temperature=1.2"
-        wait_until(t, (point / "checkpoint.2").exists, worker)
+        waiting.until((point / "checkpoint.2").exists, "the second checkpoint", worker)
         t.equal(states(t), {"running": 1, "not begun": 2}, "states")
         other = start(t, "sweep", "--work", "1/3", "out")
         t.contains(other.stderr.readline(), f"waiting for the run that is still writing to {point.relative_to(t.dir)}\n")
@@ -148,7 +142,7 @@ def told_to_end_twice_at_once(t):
     t.deck()
     t.run_well(*LONG, "out", "--prepare")
     worker = start(t, "sweep", "--work", "1/3", "out")
-    wait_until(t, (t.dir / "out/points/temperature=1.2/checkpoint.2").exists, worker)
+    waiting.until((t.dir / "out/points/temperature=1.2/checkpoint.2").exists, "the second checkpoint", worker)
     victims = children(worker)
     t.equal(len(victims), 1, "runs of the worker")
     for _ in range(2):
@@ -214,7 +208,7 @@ def a_point_killed(t):
     t.deck()
     t.run_well(*LONG, "out", "--prepare")
     worker = start(t, "sweep", "--work", "1/3", "out", "--quiet")
-    wait_until(t, (t.dir / "out/points/temperature=1.2/checkpoint.2").exists, worker)
+    waiting.until((t.dir / "out/points/temperature=1.2/checkpoint.2").exists, "the second checkpoint", worker)
     os.kill(children(worker)[0], signal.SIGKILL)
     code, _, err = end(worker)
     t.equal(code, 5, "exit code")
@@ -242,7 +236,7 @@ def replaced_beside_workers(t):
     t.deck()
     t.run_well(*LONG, "out", "--prepare")
     worker = start(t, "sweep", "--work", "1/3", "out")
-    wait_until(t, (t.dir / "out/points/temperature=1.2/checkpoint.2").exists, worker)
+    waiting.until((t.dir / "out/points/temperature=1.2/checkpoint.2").exists, "the second checkpoint", worker)
     before = t.read("out/sweep.json")
     other = ("sweep", "deck.toml", "--grid", "system.density=0.7|0.8", "--out", "out", "--prepare")
     t.expect(2, t.run(*other))

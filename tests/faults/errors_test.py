@@ -28,6 +28,7 @@ from typing import Callable
 from faulty_runs import (FORMATS, Case, Failure, NumberOption, Runner, Tally, check_same_run, commands, make_case,
                          read_counts, run_tests)
 from harness import snapshot
+import waiting
 
 ERRORS = ("EIO", "EINTR", "ENOSPC", "EACCES", "EMFILE", "EAGAIN", "short")
 
@@ -66,7 +67,7 @@ class Task:
     def run(self, runner: Runner, out: Path, fault: str | None = None, more: list[str] | None = None):
         arguments = [argument.format(out=out) for argument in self.arguments + (more or [])]
         return subprocess.run([str(runner.program), *arguments], env=runner.environment(fault), capture_output=True,
-                              text=True, timeout=120)
+                              text=True, timeout=waiting.PATIENCE)
 
     def require_success(self, runner: Runner, out: Path, more: list[str] | None = None) -> str:
         done = self.run(runner, out, more=more)

@@ -23,6 +23,10 @@ from typing import Callable, Optional
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 from harness import DECK, STARS, Failure, check_same_run, replaced  # noqa: E402
+import waiting  # noqa: E402
+
+# seconds; what cannot be read within them is taken for a file without frames, which lets a test ask for less
+PATIENCE_OF_HDF5 = 60
 
 TABLES = """trajectory = {{ format = "{format}", every = 3{velocities} }}
 checkpoint = {{ every = {checkpoint} }}
@@ -61,7 +65,7 @@ def frames_on_disk(directory: Path) -> int:
     count = ("import h5py, sys; file = h5py.File(sys.argv[1], 'r', libver='latest', swmr=True); "
              "print(file['particles/trajectory/position/value'].shape[0])")
     try:
-        found = subprocess.run([sys.executable, "-c", count, str(path)], capture_output=True, text=True, timeout=10)
+        found = subprocess.run([sys.executable, "-c", count, str(path)], capture_output=True, text=True, timeout=PATIENCE_OF_HDF5)
     except subprocess.TimeoutExpired:
         return -1
     return int(found.stdout) if found.returncode == 0 else -1  # not yet a file: nothing was written that counts
@@ -93,7 +97,7 @@ class Runner:
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def finish(self, process: subprocess.Popen, allowed: tuple[int, ...]) -> int:
-        _, talk = process.communicate(timeout=120)
+        _, talk = process.communicate(timeout=waiting.PATIENCE)
         if process.returncode not in allowed:
             raise Failure(f"{process.args[1:]} ended with {process.returncode}: {talk.strip()}")
         return process.returncode

@@ -23,6 +23,7 @@ from pathlib import Path
 
 from faulty_runs import (FORMATS, Case, Command, Failure, Runner, Tally, check_same_run, commands, make_case,
                          run_tests)
+import waiting
 
 OUTPUT_ERROR = 4
 
@@ -36,7 +37,7 @@ def run_without_space(runner: Runner, command: Command, folder: Path, fault: str
     """@return whether the run was stopped by it"""
     arguments, directory = command.prepare(folder)
     process = runner.start(arguments, fault)
-    _, talk = process.communicate(timeout=120)
+    _, talk = process.communicate(timeout=waiting.PATIENCE)
     if process.returncode != 0:  # 0: nothing was written from that call on
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
@@ -77,7 +78,7 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
     try:
         directory = mount / "out"
         process = runner.start(["run", str(case.deck), "--out", str(directory)])
-        _, talk = process.communicate(timeout=120)
+        _, talk = process.communicate(timeout=waiting.PATIENCE)
         if process.returncode == 0:
             check_same_run(directory, case.whole)
             return False

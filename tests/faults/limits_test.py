@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Callable
 
 from faulty_runs import Case, Command, Failure, Runner, Tally, check_same_run, make_case, run_tests
+import waiting
 
 KIBIBYTE = 1 << 10
 MEBIBYTE = 1 << 20
@@ -39,7 +40,7 @@ def run_limited(runner: Runner, case: Case, folder: Path, limit: int, value: int
     """@return whether the limit was felt"""
     arguments, directory = Command("run", case).prepare(folder)
     done = subprocess.run([str(runner.program), *arguments, "--quiet"], capture_output=True, text=True,
-                          timeout=120, preexec_fn=limited(limit, value))
+                          timeout=waiting.PATIENCE, preexec_fn=limited(limit, value))
     if done.returncode not in (0, *codes):
         raise Failure(f"ended with {done.returncode}: {done.stderr.strip()}")
     if done.returncode != 0 and done.stderr.count("error: ") != 1:

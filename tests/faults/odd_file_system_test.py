@@ -18,6 +18,7 @@ import sys
 from pathlib import Path
 
 from faulty_runs import FORMATS, Case, Failure, Runner, Tally, check_same_run, make_case, run_tests
+import waiting
 
 FAULTS = [f"flock:{errno.ENOLCK}", f"flock:{errno.EOPNOTSUPP}", f"fsync:{errno.EINVAL}", "signal"]
 STOPPED = 75
@@ -40,7 +41,7 @@ def two_parts(runner: Runner, case: Case, directory: Path, fault: str) -> None:
 def analyzed(runner: Runner, case: Case, directory: Path, fault: str) -> None:
     shutil.rmtree(directory, ignore_errors=True)
     arguments = [str(runner.program), "analyze", str(case.whole), "rdf", "--out", str(directory)]
-    done = subprocess.run(arguments, env=runner.environment(fault), capture_output=True, text=True, timeout=120)
+    done = subprocess.run(arguments, env=runner.environment(fault), capture_output=True, text=True, timeout=waiting.PATIENCE)
     if done.returncode != 0:
         raise Failure(f"{arguments[1:]} ended with {done.returncode}: {done.stderr.strip()}")
 

@@ -16,17 +16,16 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 sys.path.insert(0, str(ROOT / "tests/cli"))
 import decks  # noqa: E402
+import waiting  # noqa: E402
 from figures import check, exit_code  # noqa: E402
 
 SKIPPED = 77
-PATIENCE = 600  # seconds; beside other work a message may take a time slice of each process
 TILE = 50
 # Words of the end of a run that tell of time, place and the machine.
 OF_ONE_RUN = ("run.json", "results.txt", "checkpoint.1", "checkpoint.2", "report.html")
@@ -97,7 +96,7 @@ class Test:
 
     def run(self, ranks, *arguments, **more):
         """0 ranks: without mpirun."""
-        return subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=PATIENCE, cwd=self.folder,
+        return subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=waiting.PATIENCE, cwd=self.folder,
                               stdin=subprocess.DEVNULL, check=False, **more)
 
     def well(self, ranks, *arguments):
@@ -168,18 +167,16 @@ def case_resumed(t):
     t.well(0, "run", deck, "--quiet", "--out", alone)
     turns = [*t.options.ranks, 0]
     shared = t.new()
-    done = t.run(turns[0], "run", deck, "--quiet", "--out", shared, "--walltime", "1s")
+    done = t.run(turns[0], "run", deck, "--quiet", "--out", shared, "--walltime", "1e-9s")
     check("a run at the end of its wall time: exit code", done.returncode, 75, 0)
     check("it says how to go on", int("to go on: ljmd resume" in done.stderr), 1, 0)
     for ranks in turns[1:]:
         child = subprocess.Popen(t.command(ranks, "resume", shared, "--quiet"), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                  text=True, cwd=t.folder)
         before = t.rows(shared)
-        end = time.monotonic() + PATIENCE
-        while child.poll() is None and t.rows(shared) < before + 20 and time.monotonic() < end:
-            time.sleep(0.02)
+        waiting.until(lambda: t.rows(shared) >= before + 20, "twenty more rows", child)
         child.send_signal(signal.SIGUSR1)
-        _, said = child.communicate(timeout=PATIENCE)
+        _, said = child.communicate(timeout=waiting.PATIENCE)
         check(f"resumed by {ranks} ranks and stopped: exit code", child.returncode, 128 + signal.SIGUSR1, 0)
         check("it says by what", int("SIGUSR1" in said), 1, 0)
     t.well(turns[1], "resume", shared, "--quiet")
@@ -236,25 +233,15 @@ def case_killed(t):
         child = subprocess.Popen(t.command(ranks, "run", deck, "--quiet", "--out", shared), stdout=subprocess.DEVNULL,
                                  stderr=subprocess.PIPE, text=True, cwd=place)
         rows = generator.randrange(1, 500)
-        end = time.monotonic() + PATIENCE
-        while child.poll() is None and time.monotonic() < end and not (shared / "thermo.csv").exists():
-            time.sleep(0.01)
-        while child.poll() is None and time.monotonic() < end and t.rows(shared) < rows:
-            time.sleep(0.002)
+        waiting.until(lambda: child.poll() is not None or (shared / "thermo.csv").exists() and t.rows(shared) >= rows,
+                      "so many rows, or the end of the run")
         victims = ranks_of(child.pid, program)
         victim = generator.choice(victims) if victims else None
-        began = time.monotonic()
         killed += kill(victim)
-        child.communicate(timeout=PATIENCE)
-        check(f"kill {turn}: seconds until the job has ended", time.monotonic() - began, 0, 60)
+        child.communicate(timeout=waiting.PATIENCE)
         finished = json.loads((shared / "run.json").read_text(encoding="utf-8"))["finished"] is True
         check(f"kill {turn}: it ends with an error, or had been at its end", int(child.returncode != 0 or finished), 1, 0)
-        left = processes_of(place)
-        end = time.monotonic() + 10
-        while left and time.monotonic() < end:
-            time.sleep(0.1)
-            left = processes_of(place)
-        check(f"kill {turn}: processes left", len(left), 0, 0)
+        waiting.until(lambda: not processes_of(place), f"kill {turn}: no process is left")
         others = [each for each in (0, *t.options.ranks) if each != ranks]
         if not finished:
             if any(shared.glob("checkpoint.*")):
@@ -290,7 +277,7 @@ def case_failing(t):
     script.chmod(0o755)
     # Messages through sockets: the library's own files in memory would meet the limit first.
     limited = subprocess.run([t.options.mpirun, "--oversubscribe", "-n", str(ranks), script], capture_output=True, text=True,
-                             timeout=PATIENCE, cwd=t.folder, check=False,
+                             timeout=waiting.PATIENCE, cwd=t.folder, check=False,
                              env={**os.environ, "OMPI_MCA_btl": "self,tcp", "PMIX_MCA_gds": "hash"})
     check("a full disk: exit code", limited.returncode, 4, 0)
     told_once(limited, "error: ")
@@ -317,7 +304,7 @@ def case_refused(t):
     script.write_text(f'#!/bin/sh\nif [ "${{OMPI_COMM_WORLD_RANK:-$PMI_RANK}}" = 0 ]; then D={one}; else D={other}; fi\n'
                       f'exec {t.options.ljmd} run "$D" --quiet --out {t.new()}\n', encoding="utf-8")
     script.chmod(0o755)
-    done = subprocess.run([t.options.mpirun, "--oversubscribe", "-n", "2", script], capture_output=True, text=True, timeout=PATIENCE,
+    done = subprocess.run([t.options.mpirun, "--oversubscribe", "-n", "2", script], capture_output=True, text=True, timeout=waiting.PATIENCE,
                           cwd=t.folder, check=False)
     check("decks that differ: exit code", int(done.returncode in (2, 8)), 1, 0)
     told_once(done, "another deck than rank 0")
@@ -334,7 +321,7 @@ def case_refused(t):
 
     def run_apart(*arguments):
         return subprocess.run([t.options.mpirun, "--oversubscribe", "-n", "2", apart, *arguments], capture_output=True, text=True,
-                              timeout=PATIENCE, cwd=t.folder, check=False)
+                              timeout=waiting.PATIENCE, cwd=t.folder, check=False)
 
     out = t.new()
     done = run_apart("run", deck, "--out", out)
@@ -354,7 +341,7 @@ def case_refused(t):
     copy.mkdir()
     shutil.copy(t.options.ljmd, copy / "ljmd")
     done = subprocess.run([t.options.mpirun, "--oversubscribe", "-n", "2", copy / "ljmd", "run", good, "--quiet", "--out", t.new()],
-                          capture_output=True, text=True, timeout=PATIENCE, cwd=t.folder, check=False)
+                          capture_output=True, text=True, timeout=waiting.PATIENCE, cwd=t.folder, check=False)
     check("without its part for MPI: exit code", done.returncode, 2, 0)
     check("it says so", int("without MPI" in done.stderr), 1, 0)
     done = t.run(0, "run", good, "--quiet", "--out", t.new(), env={**os.environ, "SLURM_NTASKS": "4", "SLURM_PROCID": "1"})
@@ -374,7 +361,7 @@ def case_processors(t):
         for options, variables in commands:
             parts += [":"] * bool(parts) + ["-n", "1", *[word for each in variables for word in ("-x", each)], t.options.ljmd, *options]
         words = [str(each) for each in (t.options.mpirun, "--oversubscribe", *parts)]
-        return subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE, cwd=t.folder, check=False,
+        return subprocess.run(words, capture_output=True, text=True, timeout=waiting.PATIENCE, cwd=t.folder, check=False,
                               env={**os.environ, **environment})
 
     def options(directory, *more):

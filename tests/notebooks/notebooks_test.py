@@ -15,6 +15,7 @@ HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[1]))
 
 import same_bits  # noqa: E402
+import waiting  # noqa: E402
 
 try:
     import ipykernel  # noqa: F401
@@ -94,7 +95,7 @@ def execute(name: str) -> None:
     ast.parse(checks)
     notebook.cells.append(nbformat.v4.new_code_cell(checks))
     same_bits.compute_same_bits_everywhere()
-    client = nbclient.NotebookClient(notebook, timeout=600, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}})
+    client = nbclient.NotebookClient(notebook, timeout=waiting.PATIENCE, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}})
     client.execute()  # raises what a cell raises
     outputs = [each for cell in code_cells(notebook) for each in cell.outputs]
     pictures = sum("image/png" in each.get("data", {}) for each in outputs)

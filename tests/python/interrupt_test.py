@@ -1,14 +1,13 @@
 """Ctrl-C and other signals: a run stops after a step, with a checkpoint where it has a directory."""
 
 import signal
-import time
 import unittest
 import warnings
 
 import numpy as np
 
 import ljmd
-from alarm import PATIENCE, Alarm
+from alarm import Alarm, a_while
 from cases import Case, comet, long_deck
 
 
@@ -23,7 +22,6 @@ class Interrupts(Case):
         parts = self.folder / "parts"
         with Alarm() as alarm:
             deck.run(parts, progress=alarm.tell)
-        self.assertLess(alarm.late, PATIENCE)
         if hasattr(BaseException, "add_note"):
             self.assertIn("ljmd.resume", alarm.note)
         run = ljmd.open(parts)
@@ -42,7 +40,6 @@ class Interrupts(Case):
         sim = ljmd.Simulation(deck)
         with Alarm() as alarm:
             sim.run(progress=alarm.tell)
-        self.assertLess(alarm.late, PATIENCE)
         self.assertLess(sim.step, 20000)
         self.assertTrue(np.all(np.isfinite(sim.positions)))
         self.assertEqual(sim.run(progress=False).stages, whole.stages)
@@ -51,7 +48,6 @@ class Interrupts(Case):
         for directory in (None, self.folder / "comet"):
             with Alarm() as alarm:
                 comet(10**9).run(directory, progress=alarm.tell)
-            self.assertLess(alarm.late, PATIENCE)
 
     def test_a_quick_observable_that_is_interrupted_loses_no_sample(self):
         calls = []
@@ -59,9 +55,7 @@ class Interrupts(Case):
         @ljmd.observable(every=1)
         def slow(s):
             calls.append(s.step)
-            end = time.monotonic() + 0.004
-            while time.monotonic() < end:
-                pass
+            a_while()
             return s.velocities[0, 0]
 
         deck = long_deck(300, atoms=108)
@@ -69,7 +63,6 @@ class Interrupts(Case):
         parts = self.folder / "parts"
         with Alarm() as alarm:
             deck.run(parts, observables=[slow], progress=alarm.tell)
-        self.assertLess(alarm.late, PATIENCE)
         self.assertGreater(ljmd._core.describe(parts)[0]["checkpoint"]["step"], 0)
         whole = deck.run(observables=[slow], progress=False)
         again = ljmd.resume(parts, observables=[slow], progress=False)
@@ -79,7 +72,6 @@ class Interrupts(Case):
         for directory in (None, self.folder / "endless"):
             with Alarm() as alarm:
                 long_deck().run(directory, observables=[alarm.never_returns], progress=False)
-            self.assertLess(alarm.late, PATIENCE)
 
     def test_what_a_signal_handler_raises_is_raised(self):
         class TooLate(Exception):
@@ -90,8 +82,8 @@ class Interrupts(Case):
 
         self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, too_late))
         for directory in (None, self.folder / "late"):
-            signal.setitimer(signal.ITIMER_REAL, 1.0)
-            self.assertRaises(TooLate, long_deck().run, directory, progress=False)
+            with self.assertRaises(TooLate), Alarm(signal.SIGALRM) as alarm:
+                long_deck().run(directory, progress=alarm.tell)
         self.assertGreater(ljmd.open(self.folder / "late").thermo["step"].max(), 0)
 
     def test_a_handler_that_raises_nothing_lets_the_run_go_on(self):

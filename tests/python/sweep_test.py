@@ -7,7 +7,6 @@ import shutil
 import signal
 import sys
 import threading
-import time
 import unittest
 import warnings
 from unittest import mock
@@ -15,6 +14,7 @@ from unittest import mock
 import numpy as np
 
 import ljmd
+from alarm import waiting
 from cases import Case, comet, command_line, long_deck, program, small_deck
 
 os.environ.setdefault("LJMD_PROGRAM", program())
@@ -152,11 +152,10 @@ class Interrupted(Case):
         points = {"system.temperature": [1.0, 1.2]}
 
         def interrupt():
-            for _ in range(600):
-                if len(list(folder.glob("points/*/thermo.csv"))) == 2:
-                    break
-                time.sleep(0.05)
-            time.sleep(0.2)
+            def rows():
+                return [path.stat().st_size for path in folder.glob("points/*/thermo.csv")]
+
+            waiting.until(lambda: len(rows()) == 2 and min(rows()) > 2000, "both points have rows")
             os.kill(os.getpid(), signal.SIGINT)
 
         thread = threading.Thread(target=interrupt)

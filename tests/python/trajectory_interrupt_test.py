@@ -3,12 +3,11 @@
 import os
 import signal
 import threading
-import time
 import unittest
 import warnings
 
 import ljmd
-from alarm import PATIENCE
+from alarm import Other, is_within, waiting
 from cases import Case, long_deck
 
 
@@ -23,42 +22,21 @@ class Analyses(Case):
     def test_ctrl_c_ends_an_analysis_and_the_next_one_is_whole(self):
         file = self.folder / "run/trajectory.xyz"
         for work in (lambda: self.trajectory.rdf(bins=100), self.trajectory.arrays, lambda: ljmd.trajectory(file)):
-            began = time.monotonic()
-            work()
-            whole = time.monotonic() - began
-            sent = []
-
-            def send(wait=0.3 * whole, sent=sent):
-                time.sleep(wait)
-                sent.append(time.monotonic())
+            def send(work=work):
+                waiting.until(lambda: is_within(threading.main_thread(), work), "the analysis has begun")
                 os.kill(os.getpid(), signal.SIGINT)
 
             thread = threading.Thread(target=send)
-            thread.start()
             with self.assertRaises(KeyboardInterrupt):
-                work()
-                thread.join()
-            self.assertLess(time.monotonic() - sent[0], PATIENCE)
+                thread.start()
+                while True:
+                    work()
             thread.join()
         self.assertEqual(len(self.trajectory.rdf(bins=100).table()), 100)
 
     def test_other_threads_go_on_meanwhile(self):
-        ticks = []
-        done = threading.Event()
-
-        def tick():
-            while not done.is_set():
-                ticks.append(time.monotonic())
-                time.sleep(0.005)
-
-        thread = threading.Thread(target=tick)
-        thread.start()
-        began = time.monotonic()
-        self.trajectory.rdf(bins=100)
-        seconds = time.monotonic() - began
-        done.set()
-        thread.join()
-        self.assertGreater(sum(each > began for each in ticks), 0.1 * seconds / 0.005)
+        with Other() as other:
+            other.goes_on_during(lambda: self.trajectory.rdf(bins=100))
 
     def test_two_threads_analyse_one_trajectory(self):
         expected = self.trajectory.rdf(bins=50, every=8).table()["g"].sum()

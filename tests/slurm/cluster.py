@@ -14,10 +14,10 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from pathlib import Path
 
-TIME_LIMIT = 300  # seconds; what takes longer hangs
+import waiting
+
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol")
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
@@ -69,16 +69,6 @@ def missing():
     return None
 
 
-def wait_until(condition, what):
-    """Look until the condition holds, and return what it returns."""
-    end = time.monotonic() + TIME_LIMIT
-    while not (found := condition()):
-        if time.monotonic() > end:
-            raise TimeoutError(f"waited in vain until {what}")
-        time.sleep(0.02)
-    return found
-
-
 def process_control(option, value):
     ctypes.CDLL(None, use_errno=True).prctl(option, value, 0, 0, 0)
 
@@ -102,23 +92,28 @@ def descendants(pid):
 
 def end_descendants():
     """Kill all processes below this one, and those that come to it meanwhile, until there is none."""
-    while victims := descendants(os.getpid()):
+    def all_gone():
+        victims = descendants(os.getpid())
         for victim in victims:
             try:
                 os.kill(victim, signal.SIGKILL)
             except ProcessLookupError:
                 pass
         reap()
-        time.sleep(0.01)
-    reap()
+        return not victims
+
+    waiting.until(all_gone, "the processes of the test are killed")
 
 
 def reap():
+    """@return exit codes of the children that have ended, by their numbers"""
+    codes = {}
     try:
-        while os.waitpid(-1, os.WNOHANG) != (0, 0):
-            pass
+        while (found := os.waitpid(-1, os.WNOHANG)) != (0, 0):
+            codes[found[0]] = os.waitstatus_to_exitcode(found[1])
     except ChildProcessError:
         pass
+    return codes
 
 
 def with_keeper(test):
@@ -127,9 +122,8 @@ def with_keeper(test):
     @return its exit code
     """
     process_control(PR_SET_CHILD_SUBREAPER, 1)
-    asked = []
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        signal.signal(number, lambda n, _: asked.append(n))
+    watched = {signal.SIGCHLD, signal.SIGTERM, signal.SIGINT, signal.SIGHUP}
+    signal.pthread_sigmask(signal.SIG_BLOCK, watched)
     child = os.fork()
     if child == 0:
         process_control(PR_SET_PDEATHSIG, signal.SIGTERM)
@@ -137,6 +131,7 @@ def with_keeper(test):
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGHUP, signal.SIG_IGN)
         signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, watched)
         code = 1
         try:
             code = test()
@@ -150,14 +145,9 @@ def with_keeper(test):
             os._exit(code if isinstance(code, int) else 1)
     code = None
     while code is None:
-        if asked:
+        if signal.sigwait(watched) != signal.SIGCHLD:
             os.kill(child, signal.SIGTERM)
-            asked.clear()
-        pid, status = os.waitpid(-1, os.WNOHANG)
-        if pid == child:
-            code = os.waitstatus_to_exitcode(status)
-        elif pid == 0:
-            time.sleep(0.02)
+        code = reap().get(child)
     end_descendants()
     return code if code >= 0 else 128 - code
 
@@ -182,7 +172,7 @@ class Cluster:
         self.start_controller()
         for node in ("n1", "n2"):
             self.start_node(node)
-        wait_until(lambda: self.node_states() == {"n1": "idle", "n2": "idle"}, "both nodes are idle")
+        waiting.until(lambda: self.node_states() == {"n1": "idle", "n2": "idle"}, "both nodes are idle")
 
     def _configure(self):
         """Free ports: each is held until all are known."""
@@ -205,7 +195,7 @@ class Cluster:
         munge = self.directory / "munge"
         self._start("munged", find("munged"), "--foreground", "--force", f"--socket={munge}/socket", f"--key-file={munge}/key",
                     f"--pid-file={munge}/pid", f"--log-file={munge}/log", f"--seed-file={munge}/seed", "--num-threads=2")
-        wait_until(lambda: (munge / "socket").exists() or self.ended("munged"), "munged listens")
+        waiting.until(lambda: (munge / "socket").exists() or self.ended("munged"), "munged listens")
 
     def ended(self, name):
         if (code := self.processes[name].poll()) is not None:
@@ -218,7 +208,7 @@ class Cluster:
 
     def start_controller(self):
         self._start("slurmctld", find("slurmctld"), "-D", "-f", self.environment["SLURM_CONF"])
-        wait_until(lambda: self.ended("slurmctld") or self.command("scontrol", "ping", check=False).returncode == 0,
+        waiting.until(lambda: self.ended("slurmctld") or self.command("scontrol", "ping", check=False).returncode == 0,
                    "slurmctld answers")
 
     def start_node(self, node):
@@ -231,7 +221,7 @@ class Cluster:
 
     def command(self, *words, check=True, **options):
         options = {"cwd": self.directory, "env": self.environment, "capture_output": True, "text": True,
-                   "timeout": TIME_LIMIT, "stdin": subprocess.DEVNULL, **options}
+                   "timeout": waiting.PATIENCE, "stdin": subprocess.DEVNULL, **options}
         return subprocess.run([find(words[0]), *map(str, words[1:])], check=check, **options)
 
     def node_states(self):
@@ -246,9 +236,10 @@ class Cluster:
     def wait_until_saved(self):
         """Until the controller has written what it knows now, so that it finds it again when it was killed."""
         state = self.directory / "state/job_state"
-        now = time.time()
-        wait_until(lambda: state.exists() and state.stat().st_mtime > now, "the controller has saved its state")
+        now = self.directory / "now"
+        now.touch()
+        waiting.until(lambda: state.exists() and state.stat().st_mtime_ns > now.stat().st_mtime_ns, "the controller has saved its state")
 
     def wait_for_tasks(self):
         """Until none is in the queue."""
-        wait_until(lambda: self.tasks() == [], "no task is in the queue")
+        waiting.until(lambda: self.tasks() == [], "no task is in the queue")

@@ -1,10 +1,8 @@
 #include "ljmd/study/run_lines.hpp"
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
+#include <functional>
 #include <optional>
-#include <thread>
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/io/files/claimed_file.hpp"
@@ -55,7 +53,8 @@ struct Course {
     std::vector<std::string> told;
 };
 
-Course course_of(std::vector<Line>& lines, const Interruption& interruption = Interruption()) {
+Course course_of(std::vector<Line>& lines, const Interruption& interruption = Interruption(),
+                 const std::function<void()>& when_told = [] {}) {
     Course course;
     run_lines(
         pointers_to(lines), 1, interruption,
@@ -63,7 +62,10 @@ Course course_of(std::vector<Line>& lines, const Interruption& interruption = In
             course.ended.push_back(line.run().name);
             course.counts.push_back(done);
         },
-        [&](const std::string& text) { course.told.push_back(text); });
+        [&](const std::string& text) {
+            course.told.push_back(text);
+            when_told();
+        });
     return course;
 }
 
@@ -99,15 +101,12 @@ TEST_CASE("a run that another process holds is left to it, waited for at the end
     } else {
         directory.emplace(folder / "held");
     }
-    std::atomic<int> begun_while_held = 0;
-    std::thread other([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    int begun_while_held = 0;
+    const Course course = course_of(lines, Interruption(), [&] {
         begun_while_held = lines[0].begun;
         log.reset();
         directory.reset();
     });
-    const Course course = course_of(lines);
-    other.join();
     CHECK(begun_while_held == 0);
     CHECK(course.ended == Names{"free", "held"});
     CHECK(lines[0].begun == 1);

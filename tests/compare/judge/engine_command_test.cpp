@@ -1,7 +1,6 @@
 #include "ljmd/compare/judge/engine_command.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <csignal>
 
 #include "io/output_fixtures.hpp"
@@ -50,13 +49,11 @@ TEST_CASE("an engine that fails is an error with its last words") {
 }
 
 TEST_CASE("an engine that hangs is stopped with all that it has started") {
-    const auto begin = std::chrono::steady_clock::now();
-    CHECK_THAT(complaint("sleep 50 & sleep 50", 0.2), Contains("stopped after 0.2 s"));
-    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(40));
+    CHECK_THAT(complaint("tail -f /dev/null & tail -f /dev/null", 0.2), Contains("stopped after 0.2 s"));
 }
 
 TEST_CASE("a request to stop ends the engine, too") {
     const TemporaryFolder folder;
     const Interruption asked({}, [] { return std::optional(StopRequest{SIGTERM, "SIGTERM"}); });
-    CHECK_THROWS_AS(run_engine("sleep 50", folder / "log", 60.0, asked), Interrupted);
+    CHECK_THROWS_AS(run_engine("tail -f /dev/null", folder / "log", 1e9, asked), Interrupted);
 }

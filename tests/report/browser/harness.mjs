@@ -27,9 +27,12 @@ export function verdict() {
 
 export const launch = () => chromium.launch({ executablePath: plan.browser, args: ARGUMENTS });
 
+/** [ms] after which what is waited for never comes; no result depends on it. */
+const PATIENCE = 900_000;
+
 /** Waits until something holds on a page. (Playwright's own way needs `eval`, which the page forbids.) */
 export async function until(page, holds) {
-    for (let tries = 0; tries < 300; ++tries) {
+    for (const end = Date.now() + PATIENCE; Date.now() < end;) {
         if (await page.evaluate(holds)) return;
         await new Promise((resolve) => setTimeout(resolve, 100));
     }
@@ -54,7 +57,7 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     });
     if (before) await page.addInitScript(before);
     await page.goto(pathToFileURL(file).href);
-    await page.waitForSelector("html[data-ready]", { timeout: 60000 });
+    await page.waitForSelector("html[data-ready]", { timeout: PATIENCE });
     await until(page, () => [...document.querySelectorAll("main > section .drawing")].every((place) => place.offsetWidth === 0 || place.querySelector("svg")));
     return { page, complaints };
 }

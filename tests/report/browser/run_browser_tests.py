@@ -21,6 +21,10 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1]))
+
+import waiting  # noqa: E402
+
 WEB = HERE.parents[2] / "src/report/web"
 SKIPPED = 77
 
@@ -90,7 +94,7 @@ def install(work: Path) -> Path:
         for name in ("package.json", "package-lock.json"):
             shutil.copy(WEB / name, home)
         done = subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=home, capture_output=True,
-                              text=True, timeout=600)
+                              text=True, timeout=waiting.PATIENCE)
         if done.returncode != 0:
             raise Missing(f"npm ci failed, so there are no packages to test with (is there a network?):\n{done.stderr[-1500:]}")
         stamp.write_bytes(lock)
@@ -110,7 +114,7 @@ def check_bundle(work: Path) -> int:
         shutil.copy(WEB / name, home)
     built = home / "built"
     shutil.rmtree(built, ignore_errors=True)
-    subprocess.run([tool("node", "nodejs"), "build.mjs", str(built)], cwd=home, check=True, timeout=300)
+    subprocess.run([tool("node", "nodejs"), "build.mjs", str(built)], cwd=home, check=True, timeout=waiting.PATIENCE)
     committed = WEB / "dist"
     names = sorted({path.name for folder in (built, committed) for path in folder.iterdir()})
     other = [name for name in names if not (built / name).exists() or not (committed / name).exists()
@@ -122,7 +126,7 @@ def check_bundle(work: Path) -> int:
 
 
 def run(program: str, *arguments: str) -> str:
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=600, check=False)
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=waiting.PATIENCE, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join([program, *arguments])}: exit code {done.returncode}\n{done.stderr[-1500:]}")
     return done.stdout
@@ -161,7 +165,7 @@ def check_pages(program: str, work: Path, short: bool) -> int:
             "short": short, "pages": make_pages(program, folder, short)}
     (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     return subprocess.run([tool("node", "nodejs"), str(HERE / "page_test.mjs"), str(folder / "plan.json")], check=False,
-                          timeout=1500).returncode
+                          timeout=waiting.PATIENCE).returncode
 
 
 def main() -> int:
