@@ -146,7 +146,8 @@ TEST_CASE("what a replica does not tell is told of all, and nothing is lost with
     CHECK(pressure["mean"].is_null());
     CHECK_THAT(pressure["remark"].text(),
                Contains("1 of 3 replicas have no value") && Contains("in 1 of 3 replicas: it is not known"));
-    CHECK_THAT(some.data["observables"]["potential_energy"]["remark"].text(), Contains("in 1 of 3 replicas: it is odd"));
+    CHECK_THAT(some.data["observables"]["potential_energy"]["remark"].text(),
+               Contains("in 1 of 3 replicas: it is odd"));
     CHECK_THAT(some.text, Contains("it is not known") && Contains("it is odd"));
 
     change(2, [](Data& all) {

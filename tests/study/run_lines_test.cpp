@@ -53,8 +53,9 @@ struct Course {
     std::vector<std::string> told;
 };
 
-Course course_of(std::vector<Line>& lines, const Interruption& interruption = Interruption(),
-                 const std::function<void()>& when_told = [] {}) {
+Course course_of(
+    std::vector<Line>& lines, const Interruption& interruption = Interruption(),
+    const std::function<void()>& when_told = [] {}) {
     Course course;
     run_lines(
         pointers_to(lines), 1, interruption,
