@@ -111,6 +111,10 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
     if (method.follows_time && !selection.spacing) {
         return fmt::format("needs equally spaced frames: {}", selection.uneven);
     }
+    if (method.follows_time && trajectory.is_part) {
+        return "needs all atoms, because motion is measured about their centre of mass: the ids of the frames have gaps, "
+               "or do not begin at 0 or 1, as where a file holds part of the atoms";
+    }
     if (needs.fixed_box && trajectory.box_changes) {
         return fmt::format("needs a box that stays the same, but that of frame {} is another one than that of frame 1",
                            *trajectory.box_changes);
@@ -143,7 +147,7 @@ std::vector<std::string> default_analyses(const TrajectorySummary& trajectory, c
     std::vector<std::string> names{"rdf"};
     if (!trajectory.box_changes) {
         names.emplace_back("structure_factor");
-        if (selection.spacing && trajectory.positions.positions) {
+        if (selection.spacing && trajectory.positions.positions && !trajectory.is_part) {
             names.emplace_back("msd");
         }
     }
