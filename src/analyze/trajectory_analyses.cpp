@@ -90,6 +90,7 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
     }
     SampledRun run = deck != nullptr ? sampled_run(*deck, trajectory.atoms, box)
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
+    run.is_film = deck != nullptr && deck->system().is_film();
     run.time_step = selection.spacing.value_or(1.0);
     run.steps = selection.longest_part;
     if (deck != nullptr && (!deck->given.potential || deck->given.potential->potential)) {
@@ -112,7 +113,8 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
         return fmt::format("needs equally spaced frames: {}", selection.uneven);
     }
     if (method.follows_time && trajectory.is_part) {
-        return "needs all atoms, because motion is measured about their centre of mass: the ids of the frames have gaps, "
+        return "needs all atoms, because motion is measured about their centre of mass: the ids of the frames have "
+               "gaps, "
                "or do not begin at 0 or 1, as where a file holds part of the atoms";
     }
     if (needs.fixed_box && trajectory.box_changes) {
@@ -122,6 +124,10 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
     if (needs.interaction && deck != nullptr && !deck->given.external.empty()) {
         return fmt::format("is for a homogeneous fluid, and the external force {} acted on this one",
                            in_quotes(deck->given.external));
+    }
+    if (needs.homogeneous && run.is_film) {
+        return "is for a homogeneous fluid, and the box of this deck is higher than the crystal of its start: it is a "
+               "film";
     }
     if (needs.interaction && !run.interaction) {
         return deck != nullptr ? fmt::format("needs the interaction: {}", deck->given.potential->missing)

@@ -33,7 +33,8 @@ void sums_of_cosines(const double* r, Index count, const double* turns, const do
     constexpr double rounding = 0x1.8p10;
     Four sum{};
     for (Index i = 0; i < count; ++i) {
-        const Four cosine = cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + vector_stride * i) - start_of_axes);
+        const Four cosine =
+            cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + vector_stride * i) - start_of_axes);
         sum += (cosine + rounding) - rounding;
     }
     __builtin_memcpy(sums, &sum, sizeof sum);

@@ -13,10 +13,9 @@ TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells, Index layer
 /// (planes - 1)/2 of their distances.
 Vec3 TranslationalOrder::drift(const State& state) const {
     const Vec3 planes_per_length = planes_.cwiseQuotient(state.box().edges());
-    const auto centre =
-        sum_over<Vec3>(state.execution(), state.count(),
-                       [&](Index i) { return state.unwrapped(i).cwiseProduct(planes_per_length); }) /
-        static_cast<double>(state.total());
+    const auto centre = sum_over<Vec3>(state.execution(), state.count(),
+                                       [&](Index i) { return state.unwrapped(i).cwiseProduct(planes_per_length); }) /
+                        static_cast<double>(state.total());
     return centre.array() - 0.5 * (planes_.array() - 1.0);
 }
 
@@ -31,7 +30,8 @@ double TranslationalOrder::operator()(const State& state) const {
     const auto sums =
         sum_over_blocks<Eigen::Vector4d>(state.execution(), state.count(), sum_block, [&](Index first, Index last) {
             Eigen::Vector4d of_block;
-            kernel.sums_of_cosines(r + vector_stride * first, last - first, turns.data(), start.data(), of_block.data());
+            kernel.sums_of_cosines(r + vector_stride * first, last - first, turns.data(), start.data(),
+                                   of_block.data());
             return of_block;
         });
     return sums.head<3>().sum() / (3.0 * static_cast<double>(state.total()));

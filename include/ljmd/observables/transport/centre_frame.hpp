@@ -9,9 +9,9 @@
 
 namespace ljmd {
 
-/// The frame of the centre of mass, in which diffusion and the correlations of velocities are measured: they are the same
-/// for all observers that move uniformly, and under a uniform force, which moves the centre of mass and nothing else.
-/// With R = sum m r/M and V = sum m v/M of all atoms,
+/// The frame of the centre of mass, in which diffusion and the correlations of velocities are measured: they are the
+/// same for all observers that move uniformly, and under a uniform force, which moves the centre of mass and nothing
+/// else. With R = sum m r/M and V = sum m v/M of all atoms,
 ///
 ///     r_i - R, v_i - V
 ///
