@@ -17,8 +17,8 @@ namespace {
 /// How a file has the positions of an atom that leaves the box.
 enum class Written { unwrapped, wrapped, wrapped_late };
 
-/// One atom of two that goes through the walls of a cube of 4 sigma, by 0.75 sigma from frame to frame: half as far from
-/// the centre of mass, as the other one does.
+/// One atom of two that goes through the walls of a cube of 4 sigma, by 0.75 sigma from frame to frame: half as far
+/// from the centre of mass, as the other one does.
 std::string drifting(Written how, int frames, const std::string& keys = "") {
     std::string text;
     double edges = 0.0;

@@ -1,4 +1,5 @@
-// A crystal whose centre of mass a thermostat moves: its order, and the motion of its atoms, are those about the centre.
+// A crystal whose centre of mass a thermostat moves: its order, and the motion of its atoms, are those about the
+// centre.
 #include <catch2/catch.hpp>
 
 #include "core/same_bits.hpp"

@@ -140,8 +140,7 @@ TEST_CASE("a frame that moves, however it does, sees the same displacements") {
     };
     const MeanSquareDisplacement still = seen_from([](double) -> Vec3 { return Vec3::Zero(); });
     const MeanSquareDisplacement moving = seen_from([](double t) -> Vec3 { return Vec3(7.0, -3.0, 0.5 * t) * t; });
-    CHECK(moving.observables().at(0).estimate->mean ==
-          Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
+    CHECK(moving.observables().at(0).estimate->mean == Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
     for (std::size_t k = 0; k < still.tables().at(0).rows.size(); ++k) {
         CHECK(moving.tables().at(0).rows[k][1] == Approx(still.tables().at(0).rows[k][1]).margin(1e-10));
     }

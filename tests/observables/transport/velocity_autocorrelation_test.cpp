@@ -105,7 +105,8 @@ TEST_CASE("velocities that decay exponentially give the diffusion and the spectr
     const DataTable correlation = vacf.tables().at(0);
     constexpr double about_centre = 1.0 - 1.0 / 200.0;
     for (const auto& row : correlation.rows) {
-        CHECK(std::abs(row[vacf_column] - 3.0 * about_centre * std::exp(-friction * row[time_column])) < 4.0 * row[error_column]);
+        CHECK(std::abs(row[vacf_column] - 3.0 * about_centre * std::exp(-friction * row[time_column])) <
+              4.0 * row[error_column]);
         CHECK(row[error_column] < 0.03);
     }
     const auto found = vacf.observables();
@@ -184,8 +185,7 @@ TEST_CASE("a frame that moves sees the same correlations, and a single atom has 
     };
     const VelocityAutocorrelation still = seen_from(Vec3::Zero(), 30);
     const VelocityAutocorrelation moving = seen_from(Vec3(5.0, -1.0, 0.3), 30);
-    CHECK(moving.observables().at(0).estimate->mean ==
-          Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
+    CHECK(moving.observables().at(0).estimate->mean == Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
     for (std::size_t k = 0; k < 11; ++k) {
         CHECK(moving.tables().at(0).rows[k][1] == Approx(still.tables().at(0).rows[k][1]).margin(1e-11));
     }
