@@ -13,11 +13,10 @@ TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells, Index layer
 /// (planes - 1)/2 of their distances.
 Vec3 TranslationalOrder::drift(const State& state) const {
     const Vec3 planes_per_length = planes_.cwiseQuotient(state.box().edges());
-    const auto centre =
-        sum_over<Vec3>(state.execution(), state.count(),
-                       [&](Index i) -> Vec3 { return state.unwrapped(i).cwiseProduct(planes_per_length); }) /
-        static_cast<double>(state.total());
-    return centre.array() - 0.5 * (planes_.array() - 1.0);
+    const Vec3 sum = sum_over<Vec3>(state.execution(), state.count(), [&](Index i) -> Vec3 {
+        return state.unwrapped(i).cwiseProduct(planes_per_length);
+    });
+    return (sum / static_cast<double>(state.total())).array() - 0.5 * (planes_.array() - 1.0);
 }
 
 double TranslationalOrder::operator()(const State& state) const {
