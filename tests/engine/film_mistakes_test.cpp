@@ -10,7 +10,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-Mistake only(const std::vector<Mistake>& found) {
+Mistake the_one(const std::vector<Mistake>& found) {
     REQUIRE(found.size() == 1);
     return found.front();
 }
@@ -25,9 +25,9 @@ TEST_CASE("a film is not higher than its box, and has no tail correction") {
     const LatticeStart film = film_of_height(10.26);
     CHECK(film_mistakes(film, 0.8, false).empty());
     CHECK(film_mistakes({.cells = 3}, 0.8, true).empty());
-    CHECK(in_words(only(film_mistakes(film, 0.79, false))) ==
+    CHECK(in_words(the_one(film_mistakes(film, 0.79, false))) ==
           "start: lattice.height is 10.26, but the crystal is 10.303 sigma high");
-    CHECK(only(film_mistakes(film, 0.8, true)).keys == std::vector<std::string>{"tail"});
+    CHECK(the_one(film_mistakes(film, 0.8, true)).keys == std::vector<std::string>{"tail"});
 }
 
 TEST_CASE("a film is a crystal in a box that is higher than it") {
@@ -54,11 +54,11 @@ TEST_CASE("a film has no analysis that is for a homogeneous fluid") {
         CHECK(homogeneity_mistakes(alone, true).size() == (refused ? 1 : 0));
         CHECK(homogeneity_mistakes(alone, false).empty());
     }
-    const Mistake found = only(homogeneity_mistakes({analysis("viscosity")}, true));
+    const Mistake found = the_one(homogeneity_mistakes({analysis("viscosity")}, true));
     CHECK(in_words(found) ==
           "start: the analysis viscosity is for a homogeneous fluid, and a box that is higher than its crystal holds a "
           "film; leave one of the two out");
-    CHECK(in_words(only(homogeneity_mistakes({analysis("film"), analysis("viscosity")}, false))) ==
+    CHECK(in_words(the_one(homogeneity_mistakes({analysis("film"), analysis("viscosity")}, false))) ==
           "analysis viscosity: it is for a homogeneous fluid, and another analysis measures a film here; leave one of "
           "the two out");
 
