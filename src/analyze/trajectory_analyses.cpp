@@ -113,9 +113,7 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
         return fmt::format("needs equally spaced frames: {}", selection.uneven);
     }
     if (method.follows_time && trajectory.is_part) {
-        return "needs all atoms, because motion is measured about their centre of mass: the ids of the frames have "
-               "gaps, "
-               "or do not begin at 0 or 1, as where a file holds part of the atoms";
+        return fmt::format("needs all atoms: {}", part_of_the_atoms);
     }
     if (needs.fixed_box && trajectory.box_changes) {
         return fmt::format("needs a box that stays the same, but that of frame {} is another one than that of frame 1",

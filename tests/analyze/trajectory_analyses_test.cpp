@@ -130,7 +130,7 @@ TEST_CASE("an analysis of what a trajectory lacks is refused") {
     summary.is_part = true;
     for (const char* name : {"msd", "vacf", "viscosity", "bulk_viscosity", "thermal_conductivity"}) {
         CHECK_THAT(complaint({name}, summary, {}, &deck),
-                   Contains("needs all atoms, because motion is measured about their centre of mass"));
+                   Contains("needs all atoms: motion is measured about the centre of mass of all of them"));
     }
     CHECK(complaint({"rdf", "structure_factor"}, summary) == "no InputError");
 }

@@ -216,7 +216,7 @@ TEST_CASE("bit-reversible returns to its start under an external force") {
     CHECK(checksum(simulation.state()) == start);
 }
 
-TEST_CASE("a uniform force leaves diffusion as it is; under one that differs between atoms it has no value") {
+TEST_CASE("a uniform force leaves diffusion as it is, and one that differs between atoms leaves it no value") {
     const auto moving = [](std::shared_ptr<ExternalForce> force) {
         FluidSpec spec = one_stage(std::move(force));
         spec.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}}),

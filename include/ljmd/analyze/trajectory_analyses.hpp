@@ -16,6 +16,11 @@ struct FrameAnalysis {
     std::unique_ptr<Analysis> analysis;
 };
 
+/// Why frames that hold part of the atoms (TrajectorySummary::is_part) have no analysis that follows the motion.
+inline constexpr const char* part_of_the_atoms =
+    "motion is measured about the centre of mass of all of them, and the ids of the frames have gaps, or do not begin at "
+    "0 or 1, as where a file holds part of the atoms";
+
 /// The default analyses of a trajectory: rdf; structure_factor if the box is constant; msd if also the frames are
 /// equally spaced and hold all atoms, and it is known whether positions are wrapped.
 [[nodiscard]] std::vector<std::string> default_analyses(const TrajectorySummary& trajectory,
