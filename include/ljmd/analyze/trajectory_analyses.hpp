@@ -18,7 +18,8 @@ struct FrameAnalysis {
 
 /// Why frames that hold part of the atoms (TrajectorySummary::is_part) have no analysis that follows the motion.
 inline constexpr const char* part_of_the_atoms =
-    "motion is measured about the centre of mass of all of them, and the ids of the frames have gaps, or do not begin at "
+    "motion is measured about the centre of mass of all of them, and the ids of the frames have gaps, or do not begin "
+    "at "
     "0 or 1, as where a file holds part of the atoms";
 
 /// The default analyses of a trajectory: rdf; structure_factor if the box is constant; msd if also the frames are
