@@ -90,6 +90,7 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
     }
     SampledRun run = deck != nullptr ? sampled_run(*deck, trajectory.atoms, box)
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
+    run.is_film = deck != nullptr && deck->system().is_film();
     run.time_step = selection.spacing.value_or(1.0);
     run.steps = selection.longest_part;
     if (deck != nullptr && (!deck->given.potential || deck->given.potential->potential)) {
@@ -111,6 +112,9 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
     if (method.follows_time && !selection.spacing) {
         return fmt::format("needs equally spaced frames: {}", selection.uneven);
     }
+    if (method.follows_time && trajectory.is_part) {
+        return fmt::format("needs all atoms: {}", part_of_the_atoms);
+    }
     if (needs.fixed_box && trajectory.box_changes) {
         return fmt::format("needs a box that stays the same, but that of frame {} is another one than that of frame 1",
                            *trajectory.box_changes);
@@ -118,6 +122,10 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
     if (needs.interaction && deck != nullptr && !deck->given.external.empty()) {
         return fmt::format("is for a homogeneous fluid, and the external force {} acted on this one",
                            in_quotes(deck->given.external));
+    }
+    if (needs.homogeneous && run.is_film) {
+        return "is for a homogeneous fluid, and the box of this deck is higher than the crystal of its start: it is a "
+               "film";
     }
     if (needs.interaction && !run.interaction) {
         return deck != nullptr ? fmt::format("needs the interaction: {}", deck->given.potential->missing)
@@ -143,7 +151,7 @@ std::vector<std::string> default_analyses(const TrajectorySummary& trajectory, c
     std::vector<std::string> names{"rdf"};
     if (!trajectory.box_changes) {
         names.emplace_back("structure_factor");
-        if (selection.spacing && trajectory.positions.positions) {
+        if (selection.spacing && trajectory.positions.positions && !trajectory.is_part) {
             names.emplace_back("msd");
         }
     }

@@ -8,12 +8,14 @@
 
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 #include "ljmd/run/results.hpp"
 
@@ -206,6 +208,11 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
         }
         std::ranges::move(tables, std::back_inserter(result.tables));
         std::ranges::move(averages, std::back_inserter(result.averages));
+    }
+    if (trajectory.deck != nullptr && !trajectory.deck->given.external.empty()) {
+        withdraw_diffusion(result.averages,
+                           fmt::format("frames do not tell whether the external force {} differed between atoms: {}",
+                                       in_quotes(trajectory.deck->given.external), no_frame_of_diffusion));
     }
     if (const auto infinite = diffusion_in_infinite_system(result.averages, Box(trajectory.summary.edges))) {
         result.averages.push_back(*infinite);

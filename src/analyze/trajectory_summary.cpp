@@ -11,6 +11,11 @@ namespace {
 /// Edges may be stored in single precision. They count as equal within this relative difference.
 constexpr double same_edge = 1e-6;
 
+/// @param ids  ascending; empty if the file has none
+bool tells_of_others(const std::vector<Index>& ids) {
+    return !ids.empty() && (ids.front() > 1 || ids.back() - ids.front() + 1 != std::ssize(ids));
+}
+
 /// Collects the properties of the frames.
 class Summarizer {
   public:
@@ -18,6 +23,7 @@ class Summarizer {
         const Configuration& found = frame.configuration;
         if (summary_.frames == 0) {
             summary_.atoms = std::ssize(found.positions);
+            summary_.is_part = tells_of_others(frame.ids);
             summary_.edges = found.edges;
             summary_.smallest_edges = found.edges;
             summary_.has_velocities = true;

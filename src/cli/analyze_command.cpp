@@ -94,6 +94,8 @@ Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Want
             warn(fmt::format("msd is left out: {}", selection.uneven));
         } else if (!trajectory.summary.positions.positions) {
             warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));
+        } else if (trajectory.summary.is_part) {
+            warn(fmt::format("msd is left out: {}", part_of_the_atoms));
         }
     }
     const std::vector<FrameAnalysis> analyses =

@@ -6,6 +6,7 @@
 
 #include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/mistake_report.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 
 namespace ljmd {
 
@@ -43,6 +44,7 @@ void check_analyses(const Placed<FluidTables>& tables, Index atoms, const Box& b
     report(analysis_mistakes(analyses, run), tables, diagnostics);
     report(sampling_mistakes(analyses, stages), tables, diagnostics);
     report(analysis_need_mistakes(analyses, tables.potential.truncation, stages), tables, diagnostics);
+    report(homogeneity_mistakes(analyses, tables.system.is_film()), tables, diagnostics);
     if (std::ranges::any_of(analyses, [](const ChosenAnalysis& chosen) { return chosen.plugin.follows_time; })) {
         check_motion(tables.stages, stages, diagnostics);
     }

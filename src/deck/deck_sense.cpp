@@ -6,6 +6,7 @@
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/mistake_report.hpp"
 #include "ljmd/deck/stage_sense.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/potentials/pair_potential.hpp"

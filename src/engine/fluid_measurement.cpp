@@ -15,6 +15,7 @@
 #include "ljmd/model/all_atoms.hpp"
 #include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/model/checksum.hpp"
+#include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 
 namespace ljmd {
@@ -56,27 +57,11 @@ void FluidMeasurement::resume_at(const LoopPosition& position) {
     }
 }
 
-/// A run is resumed with the external force that it had, which a checkpoint cannot hold.
-void FluidMeasurement::archive_external_force(Archive& a) const {
-    const std::string present = spec_.external ? spec_.external->name() : "";
-    const bool has_energy = spec_.external && spec_.external->has_energy();
-    std::string name = present;
-    bool energy = has_energy;
-    a(name, energy);
-    if (name != present || energy != has_energy) {
-        const auto in_words = [](const std::string& force, bool with) {
-            return force.empty() ? std::string("none")
-                                 : fmt::format("'{}' {} an energy", printable(force, 64), with ? "with" : "without");
-        };
-        throw CheckpointError(
-            fmt::format("the external force of the checkpoint is {}, and {} is there: such a run is resumed by the "
-                        "program that began it, with the same force",
-                        in_words(name, energy), in_words(present, has_energy)));
-    }
-}
-
 void FluidMeasurement::archive(Archive& a) {
-    archive_external_force(a);
+    archive_presence(a, spec_.external.get());
+    if (spec_.external) {
+        a(external_differs_);
+    }
     a(fluid_.state);
     fluid_.force_field.archive(a, fluid_.state);
     a.mark("averages");
@@ -163,6 +148,7 @@ void FluidMeasurement::put_row(const Thermodynamics& values) {
 }
 
 void FluidMeasurement::sample(const Evaluation& evaluation, bool always) {
+    external_differs_ = external_differs_ || fluid_.force_field.external_differs();
     const Index step = fluid_.state.step;
     const auto is_wanted = [=](const auto& each) { return always || each->due(step); };
     const auto is_needed = [=](const Observer* each) { return always || each->needs(step); };
@@ -382,6 +368,10 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     for (const auto& analysis : fluid_.analyses) {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
+    }
+    if (external_differs_) {
+        withdraw_diffusion(result.averages, fmt::format("the external force '{}' differs between atoms: {}",
+                                                        printable(spec_.external->name(), 64), no_frame_of_diffusion));
     }
     if (const auto infinite =
             spec_.external ? std::nullopt : diffusion_in_infinite_system(result.averages, state.box())) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/until_mistakes.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -205,6 +206,9 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     complaints.add(until_mistakes(spec.stages));
     complaints.add(external_force_mistakes(spec));
     complaints.add(analysis_need_mistakes(spec.analyses, spec.potential.truncation(), spec.stages));
+    if (complaints.empty()) {  // else the height of the crystal may not be known
+        complaints.add(homogeneity_mistakes(spec.analyses, is_film(spec)));
+    }
     if (!spec.stages.empty()) {
         complaints.add(sampling_mistakes(spec.analyses, spec.stages));
     }

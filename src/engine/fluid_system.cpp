@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/execution/first_touch.hpp"
 #include "ljmd/execution/ranks.hpp"
 #include "ljmd/integrators/relaxation.hpp"
@@ -56,6 +57,7 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, cons
     }
     SampledRun run = sampled_run(spec.stages, spec.seed, state.total(), state.box());
     run.interaction = spec.interaction();
+    run.is_film = is_film(spec);
     for (const ChosenAnalysis& analysis : spec.analyses) {
         analyses.push_back(analysis.options->make(run));
     }

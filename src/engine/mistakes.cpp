@@ -225,27 +225,6 @@ std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
     return found.take();
 }
 
-std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail) {
-    Mistakes found("system");
-    if (!lattice.height) {
-        return {};
-    }
-    const double crystal = crystal_edges(lattice.lattice, lattice.cells, lattice.layers_along_z(), density).z();
-    if (!(*lattice.height >= crystal && std::isfinite(*lattice.height))) {
-        found.add_of_key({"lattice.height", "lattice.cells", "lattice.layers", "density"},
-                         fmt::format("is {}, but the crystal is {:.6g} sigma high", *lattice.height, crystal));
-    }
-    std::vector<Mistake> all = found.take();
-    if (tail) {
-        Mistakes of_potential("potential");
-        of_potential.add({"tail"},
-                         "a film is not homogeneous, as the tail correction takes for granted: use a shifted form, or "
-                         "tail = false");
-        of_potential.move_to(all);
-    }
-    return all;
-}
-
 std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail) {
     Mistakes found("potential");
     if (!(cutoff.radius > 0.0 && std::isfinite(cutoff.radius))) {

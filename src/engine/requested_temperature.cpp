@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/at_temperature.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 
 namespace ljmd {
@@ -79,9 +80,7 @@ std::string temperature_remark(const FluidSpec& spec, const std::optional<Estima
 std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     const PairPotential& potential = spec.potential;
     const double radius = potential.cutoff().radius;
-    const auto* crystal = std::get_if<LatticeStart>(&spec.start);
-    const bool is_film = crystal != nullptr && crystal->height;
-    if (potential.formula() != "lennard-jones" || spec.external || is_film) {
+    if (potential.formula() != "lennard-jones" || spec.external || is_film(spec)) {
         return std::nullopt;
     }
     if (potential.truncation() == "cut" && spec.tail && radius >= min_full_cutoff) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
@@ -30,6 +31,15 @@ void require_finite(const ExternalForce& force, const Eigen::Matrix3Xd& forces) 
     const Vec3 f = forces.col(id);
     throw PhysicsError(fmt::format("the external force '{}' on atom {} is ({:.6g}, {:.6g}, {:.6g}), not finite",
                                    force.name(), id + 1, f[0], f[1], f[2]));
+}
+
+/// Whether columns differ by more than the rounding of their computation.
+bool differ(const Eigen::Matrix3Xd& forces) {
+    constexpr double rounding = 1e-12;
+    if (forces.cols() == 0) {
+        return false;
+    }
+    return (forces.colwise() - forces.col(0)).cwiseAbs().maxCoeff() > rounding * forces.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -64,6 +74,24 @@ const Eigen::Matrix3Xd& AtomPositions::unwrapped() const {
     return unwrapped_;
 }
 
+void archive_presence(Archive& a, const ExternalForce* force) {
+    const std::string present = force != nullptr ? force->name() : "";
+    const bool has_energy = force != nullptr && force->has_energy();
+    std::string name = present;
+    bool energy = has_energy;
+    a(name, energy);
+    if (name != present || energy != has_energy) {
+        const auto in_words = [](const std::string& what, bool with) {
+            return what.empty() ? std::string("none")
+                                : fmt::format("'{}' {} an energy", printable(what, 64), with ? "with" : "without");
+        };
+        throw CheckpointError(
+            fmt::format("the external force of the checkpoint is {}, and {} is there: such a run is resumed by the "
+                        "program that began it, with the same force",
+                        in_words(name, energy), in_words(present, has_energy)));
+    }
+}
+
 void ExternalForceTerm::add(State& state, Request request, Evaluation& evaluation) {
     atoms_.look_at(state);
     forces_.setZero(3, state.count());
@@ -74,6 +102,7 @@ void ExternalForceTerm::add(State& state, Request request, Evaluation& evaluatio
                         force_->name(), state.count()));
     }
     require_finite(*force_, forces_);
+    differs_ = differ(forces_);
     auto f = state.write_forces();
     const std::vector<Index>& ids = state.ids();
     for_each_index(state.execution(), state.count(),

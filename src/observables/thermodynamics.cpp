@@ -33,6 +33,11 @@ KineticSums kinetic_sums(const State& state) {
     return sums;
 }
 
+/// sum m (v - V) (v - V) with the velocity V of the centre of mass.
+Mat3 about_centre(const KineticSums& sums) {
+    return sums.tensor - sums.momentum * sums.momentum.transpose() / sums.mass;
+}
+
 }  // namespace
 
 Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
@@ -40,11 +45,11 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     const double volume = state.box().volume();
     const double density = atoms / volume;
 
-    const auto [kinetic_tensor, momentum, mass] = kinetic_sums(state);
-    const double kinetic_energy = 0.5 * kinetic_tensor.trace();
+    const KineticSums sums = kinetic_sums(state);
+    const double kinetic_energy = 0.5 * sums.tensor.trace();
 
     Thermodynamics result;
-    result.temperature = temperature(state.total(), kinetic_energy, momentum, mass);
+    result.temperature = temperature(state.total(), kinetic_energy, sums.momentum, sums.mass);
     result.potential_energy = evaluation.potential_energy / atoms + tail.energy(density);
     result.kinetic_energy = kinetic_energy / atoms;
     result.total_energy = result.potential_energy + result.kinetic_energy;
@@ -53,8 +58,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
         result.total_energy += *result.external_energy;
     }
     if (result.temperature) {
-        const Mat3 about_centre = kinetic_tensor - momentum * momentum.transpose() / mass;
-        result.pressure_tensor = (atoms / (atoms - 1.0) * about_centre + evaluation.virial) / volume +
+        result.pressure_tensor = (atoms / (atoms - 1.0) * about_centre(sums) + evaluation.virial) / volume +
                                  tail.pressure(density) * Mat3::Identity();
         result.pressure = result.pressure_tensor->trace() / 3.0;
     }
@@ -79,7 +83,7 @@ Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const Ta
 }
 
 Mat3 mechanical_stress(const State& state, const Evaluation& evaluation) {
-    return (kinetic_sums(state).tensor + evaluation.virial) / state.box().volume();
+    return (about_centre(kinetic_sums(state)) + evaluation.virial) / state.box().volume();
 }
 
 }  // namespace ljmd

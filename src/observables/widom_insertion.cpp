@@ -24,6 +24,7 @@ WidomInsertion::WidomInsertion(const SampledRun& run, Index insertions, Every ev
     : BlockMeans(every, columns),
       interaction_(run.interaction.value()),
       held_temperature_(run.held_temperature),
+      is_film_(run.is_film),
       random_(run.seed, RandomStream::insertions),
       insertions_(insertions) {}
 
@@ -97,6 +98,9 @@ std::vector<ObservableAverage> WidomInsertion::observables() const {
         if (tail_was_sampled(found)) {
             average.estimate = found;
         }
+    }
+    if (average.estimate && is_film_) {
+        average.remark = "of the whole box: mu - T ln(Lambda^3 N/V) with N/V of liquid and vapour together";
     }
     if (!average.estimate) {
         average.remark = "too few insertions at low energies: try more insertions";

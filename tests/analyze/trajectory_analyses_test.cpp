@@ -83,6 +83,9 @@ TEST_CASE("usual analyses are those that the trajectory is good for") {
         return default_analyses(summary, select_frames(summary, std::nullopt, nullptr, std::nullopt));
     };
     CHECK(usual() == std::vector<std::string>{"rdf", "structure_factor", "msd"});
+    summary.is_part = true;
+    CHECK(usual() == std::vector<std::string>{"rdf", "structure_factor"});
+    summary.is_part = false;
     summary.times[7] = 0.29;
     CHECK(usual() == std::vector<std::string>{"rdf", "structure_factor"});
     summary.box_changes = 2;
@@ -123,6 +126,13 @@ TEST_CASE("an analysis of what a trajectory lacks is refused") {
     summary.positions = {std::nullopt, "", "nobody knows", ""};
     CHECK_THAT(complaint({"msd"}, summary), Contains("msd needs displacements: nobody knows"));
     CHECK(complaint({"rdf", "vacf", "structure_factor"}, summary) == "no InputError");
+    summary = fifty_frames();
+    summary.is_part = true;
+    for (const char* name : {"msd", "vacf", "viscosity", "bulk_viscosity", "thermal_conductivity"}) {
+        CHECK_THAT(complaint({name}, summary, {}, &deck),
+                   Contains("needs all atoms: motion is measured about the centre of mass of all of them"));
+    }
+    CHECK(complaint({"rdf", "structure_factor"}, summary) == "no InputError");
 }
 
 TEST_CASE("what deck and potential make impossible is refused for frames, too") {
@@ -138,6 +148,11 @@ TEST_CASE("what deck and potential make impossible is refused for frames, too") 
     const Deck held = folder.load({"stage.production.thermostat.type=stochastic-rescaling"});
     CHECK(complaint({"thermal_conductivity"}, summary, {}, &held) == "no InputError");
     CHECK_THAT(complaint({"bulk_viscosity"}, summary, {}, &held), Contains("needs frames at constant energy"));
+    const Deck film = folder.load({"system.lattice.height=20"});
+    for (const char* name : {"viscosity", "cutoff_correction", "response_functions"}) {
+        CHECK_THAT(complaint({name}, summary, {}, &film), Contains("is for a homogeneous fluid, and the box of this"));
+    }
+    CHECK(complaint({"chemical_potential"}, summary, {}, &film) == "no InputError");
 }
 
 TEST_CASE("settings are checked as those of a deck are") {

@@ -17,7 +17,8 @@ namespace {
 /// How a file has the positions of an atom that leaves the box.
 enum class Written { unwrapped, wrapped, wrapped_late };
 
-/// One atom of two that goes through the walls of a cube of 4 sigma, by 0.75 sigma from frame to frame.
+/// One atom of two that goes through the walls of a cube of 4 sigma, by 0.75 sigma from frame to frame: half as far
+/// from the centre of mass, as the other one does.
 std::string drifting(Written how, int frames, const std::string& keys = "") {
     std::string text;
     double edges = 0.0;
@@ -57,7 +58,7 @@ TEST_CASE("displacements go on through the walls, however the file wraps positio
         for (std::size_t k = 0; k < rows.size(); ++k) {
             const auto lag = static_cast<double>(k);
             CHECK(rows[k][0] == Approx(0.5 * lag));
-            CHECK(rows[k][1] == Approx(0.5 * 0.75 * 0.75 * lag * lag));  // one of two atoms moves
+            CHECK(rows[k][1] == Approx(0.375 * 0.375 * lag * lag));
         }
         CHECK(result.used_displacements);
         const bool unwrapped = how == Written::unwrapped;
@@ -74,20 +75,21 @@ TEST_CASE("displacements go on through the walls, however the file wraps positio
 
 TEST_CASE("units in a file are no proof that its positions are unwrapped") {
     const WrittenFile file(drifting(Written::wrapped, 30, "units=reduced"));
-    CHECK(analyze(file.path(), {"msd"}).tables.at(0).rows.at(6)[1] == Approx(0.5 * 20.25));
+    CHECK(analyze(file.path(), {"msd"}).tables.at(0).rows.at(6)[1] == Approx(0.25 * 20.25));
 }
 
 TEST_CASE("a file that says unwrapped, but whose atoms jump by edges, is followed, and the contradiction told") {
     const WrittenFile file(drifting(Written::wrapped, 30, "positions=unwrapped"));
     const TrajectoryResult result = analyze(file.path(), {"msd"});
-    CHECK(result.tables.at(0).rows.at(6)[1] == Approx(0.5 * 20.25));
+    CHECK(result.tables.at(0).rows.at(6)[1] == Approx(0.25 * 20.25));
     CHECK_THAT(result.warnings.at(0), Contains("the file says that positions are unwrapped, but they are wrapped"));
 }
 
 TEST_CASE("where nothing tells whether positions are wrapped, displacements want to be told") {
     std::string text;
     for (int k = 0; k < 20; ++k) {
-        text += fmt::format("1\nLattice=\"4 0 0 0 4 0 0 0 4\" Time={}\nX {} 1 1\n", k, std::fmod(0.25 + 1.5 * k, 4.0));
+        text += fmt::format("2\nLattice=\"4 0 0 0 4 0 0 0 4\" Time={}\nX {} 1 1\nX 1 3 1\n", k,
+                            std::fmod(0.25 + 1.5 * k, 4.0));
     }
     const WrittenFile file(text);
     CHECK_THROWS_WITH(analyze(file.path(), {"msd"}),
@@ -95,10 +97,10 @@ TEST_CASE("where nothing tells whether positions are wrapped, displacements want
                           Contains("--positions wrapped") && Contains("--positions unwrapped"));
     CHECK(analyze(file.path(), {"rdf"}).tables.size() == 2);
     const TrajectoryResult wrapped = analyze(file.path(), {"msd"}, nullptr, Positions::wrapped);
-    CHECK(wrapped.tables.at(0).rows.at(2)[1] == Approx(9.0));
+    CHECK(wrapped.tables.at(0).rows.at(2)[1] == Approx(0.25 * 9.0));
     CHECK_THAT(wrapped.warnings.at(0), Contains("--positions wrapped: from frame to frame atoms move by up to 0.38"));
     const TrajectoryResult unwrapped = analyze(file.path(), {"msd"}, nullptr, Positions::unwrapped);
-    CHECK(unwrapped.tables.at(0).rows.at(2)[1] < 9.0);
+    CHECK(unwrapped.tables.at(0).rows.at(2)[1] < 0.25 * 9.0);
 }
 
 TEST_CASE("an analysis that has too few frames says so") {

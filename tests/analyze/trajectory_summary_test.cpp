@@ -51,6 +51,25 @@ TEST_CASE("a summary tells whether all frames have velocities, and why not") {
     CHECK(summary_of(without + with_velocities).missing_velocities == "which frame 1 does not have");
 }
 
+TEST_CASE("a summary tells whether ids name other atoms than those of the frames") {
+    const auto is_part = [](const std::string& ids) {
+        std::string rows;
+        for (const char id : ids) {
+            rows += fmt::format("X {0} 1 1 {0}\n", id);
+        }
+        return summary_of(fmt::format("{}\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3:id:I:1\n{}",
+                                      ids.size(), rows))
+            .is_part;
+    };
+    CHECK_FALSE(is_part("123"));
+    CHECK_FALSE(is_part("201"));
+    CHECK_FALSE(is_part("1"));
+    CHECK(is_part("124"));
+    CHECK(is_part("013"));
+    CHECK(is_part("234"));
+    CHECK_FALSE(summary_of(frame("", 1.0)).is_part);
+}
+
 TEST_CASE("a summary tells where the box changes, and its smallest edges") {
     const TrajectorySummary all =
         summary_of(frame("", 1) + frame("", 1, 4.0 + 1e-7) + frame("", 1, 3.5) + frame("", 1, 5));

@@ -56,6 +56,15 @@ TEST_CASE("a run at constant energy holds no temperature") {
     CHECK_FALSE(run.held_temperature.has_value());
 }
 
+TEST_CASE("a film has no analysis that is for a homogeneous fluid") {
+    const std::string deck = changed(small_deck, {{"cells = 3", "cells = 3, height = 20"}}) + "[analysis]\n";
+    CHECK(errors_in(complaints(deck + "chemical_potential = {}\nfilm = {}\n")) == 0);
+    const auto found = complaints(deck + "cutoff_correction = {}\n");
+    REQUIRE(errors_in(found) == 1);
+    CHECK_THAT(found.front().message, Contains("the analysis cutoff_correction is for a homogeneous fluid"));
+    CHECK(errors_in(complaints(small_deck + "[analysis]\nfilm = {}\ncutoff_correction = {}\n")) == 1);
+}
+
 TEST_CASE("where configurations at different times are compared, sampled stages have one time step") {
     const auto mistakes = [](const std::string& analysis) {
         const auto found = complaints(small_deck + stages + "[analysis]\n" + analysis + " = {}\n");  // 0.004 and 0.002

@@ -216,6 +216,39 @@ TEST_CASE("bit-reversible returns to its start under an external force") {
     CHECK(checksum(simulation.state()) == start);
 }
 
+TEST_CASE("a uniform force leaves diffusion as it is, and one that differs between atoms leaves it no value") {
+    const auto moving = [](std::shared_ptr<ExternalForce> force) {
+        FluidSpec spec = one_stage(std::move(force));
+        spec.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}}),
+                         analysis("vacf", {{"max_time", 0.04}, {"every", 1}})};
+        return spec;
+    };
+    const RunResult resting = Simulation(moving(nullptr)).run();
+    const RunResult falling = Simulation(moving(uniform(Vec3(20.0, -10.0, 5.0)))).run();
+    Simulation shaken(moving(wave(2.0)));
+    const RunResult in_wave = shaken.run();
+    for (const char* name : {"diffusion", "diffusion_green_kubo"}) {
+        CAPTURE(name);
+        const double expected = resting.observable(name).estimate.value().mean;
+        CHECK(falling.observable(name).estimate.value().mean == Approx(expected).epsilon(1e-5));
+        CHECK_FALSE(in_wave.observable(name).estimate.has_value());
+        CHECK_THAT(in_wave.observable(name).remark, Contains("the external force 'wave' differs between atoms"));
+    }
+    // What was seen before counts when a run goes on, too.
+    const auto ends = std::make_shared<MadeForce>(
+        [](const AtomPositions& atoms, Eigen::Matrix3Xd& forces) -> ExternalEnergy {
+            forces.row(0).setConstant(1.0);
+            forces(0, 0) = atoms.time() < 0.1 ? 2.0 : 1.0;
+            return {};
+        },
+        false, false, "ends");
+    Simulation first(moving(ends));
+    first.advance(30);
+    Simulation second(moving(ends));
+    second.restore(first.checkpoint());
+    CHECK_FALSE(second.run().observable("diffusion").estimate.has_value());
+}
+
 TEST_CASE("a checkpoint is continued with the external force that it had, and with no other") {
     Simulation simulation(spec_with(wave(1.0)));
     simulation.advance(30);

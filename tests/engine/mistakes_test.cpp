@@ -61,15 +61,6 @@ TEST_CASE("a crystal has no more atoms than can be indexed") {
     CHECK(lattice_mistakes({Lattice::fcc, 645}).empty());
     CHECK(in_words(only(lattice_mistakes({Lattice::fcc, 646}))) ==
           "start: lattice.cells makes 1078344544 atoms, more than 1073741824");
-}
-
-TEST_CASE("a film is not higher than its box, and has no tail correction") {
-    const LatticeStart film{.lattice = Lattice::fcc, .cells = 3, .layers = 6, .height = 10.26};
-    CHECK(film_mistakes(film, 0.8, false).empty());
-    CHECK(film_mistakes({.cells = 3}, 0.8, true).empty());
-    CHECK(in_words(only(film_mistakes(film, 0.79, false))) ==
-          "start: lattice.height is 10.26, but the crystal is 10.303 sigma high");
-    CHECK(only(film_mistakes(film, 0.8, true)).keys == std::vector<std::string>{"tail"});
     CHECK(in_words(only(lattice_mistakes({.cells = 3, .layers = 0}))) == "start: 0 layers: allowed are 1 to 1048576");
 }
 

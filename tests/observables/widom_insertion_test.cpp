@@ -119,6 +119,22 @@ TEST_CASE("where the places that count were not met there is no chemical potenti
     CHECK_FALSE(found(400, 0.0).remark.empty());
 }
 
+TEST_CASE("of a film it is the chemical potential of the whole box, and says so") {
+    SampledRun run = run_with(20, false, 1.6);
+    const auto found = [&run] {
+        WidomInsertion widom(run, 200, Every(1));
+        for (int k = 0; k < 64; ++k) {
+            widom.sample(state_at(20, k, 1.6), {});
+        }
+        return widom.observables().at(0);
+    };
+    const ObservableAverage alone = found();
+    run.is_film = true;
+    CHECK(alone.remark.empty());
+    CHECK(found().estimate.value().mean == alone.estimate.value().mean);
+    CHECK_THAT(found().remark, Catch::Contains("of the whole box"));
+}
+
 TEST_CASE("threads and the order of atoms in memory do not matter, steps do") {
     const SampledRun run = run_with(200, false, 3.0);
     const auto found = [&run](const State& state) {

@@ -74,6 +74,14 @@ class Physics(Case):
         np.testing.assert_allclose(sim.velocities.mean(axis=0), [0, 0, -1.5 * sim.time], atol=1e-12)
         self.assertNotIn("external_energy", sim.results())
 
+    def test_a_uniform_force_leaves_diffusion_as_it_is_and_another_leaves_it_without_a_value(self):
+        deck = small_deck()
+        deck.analysis.msd(max_time=0.08, every=1)
+        runs = [deck.run(external=force, progress=False) for force in (None, uniform, wave)]
+        self.assertAlmostEqual(runs[1]["diffusion"].mean / runs[0]["diffusion"].mean, 1.0, 4)
+        self.assertTrue(np.isnan(runs[2]["diffusion"].mean))
+        self.assertIn("the external force 'wave' differs between atoms", runs[2]["diffusion"].remark)
+
     def test_a_force_of_time_sees_the_time_of_the_positions(self):
         times = []
 

@@ -16,8 +16,14 @@ struct FrameAnalysis {
     std::unique_ptr<Analysis> analysis;
 };
 
+/// Why frames that hold part of the atoms (TrajectorySummary::is_part) have no analysis that follows the motion.
+inline constexpr const char* part_of_the_atoms =
+    "motion is measured about the centre of mass of all of them, and the ids of the frames have gaps, or do not begin "
+    "at "
+    "0 or 1, as where a file holds part of the atoms";
+
 /// The default analyses of a trajectory: rdf; structure_factor if the box is constant; msd if also the frames are
-/// equally spaced and it is known whether positions are wrapped.
+/// equally spaced and hold all atoms, and it is known whether positions are wrapped.
 [[nodiscard]] std::vector<std::string> default_analyses(const TrajectorySummary& trajectory,
                                                         const FrameSelection& selection);
 
@@ -36,8 +42,8 @@ void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const F
 /// @param settings  arguments of --set
 /// @param deck      for the interaction, the seed and the temperature of thermostats; may be null
 /// @throws InputError  a setting is wrong or does not fit the trajectory; or the trajectory or the deck lacks something
-/// that an analysis needs: velocities, equally spaced frames, a constant box, an interaction, or whether positions are
-/// wrapped
+/// that an analysis needs: velocities, equally spaced frames, all atoms, a constant box, an interaction, or whether
+/// positions are wrapped
 [[nodiscard]] std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& names,
                                                              const std::vector<std::string>& settings, const Deck* deck,
                                                              const TrajectorySummary& trajectory,

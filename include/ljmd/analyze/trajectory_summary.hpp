@@ -18,6 +18,7 @@ using FrameRead = std::function<void()>;
 struct TrajectorySummary {
     Index frames;
     Index atoms;
+    bool is_part = false;              ///< the ids have gaps, or do not begin at 0 or 1: there are other atoms
     Vec3 edges;                        ///< of the box of the first frame [sigma]
     Vec3 smallest_edges;               ///< smallest edges over all frames, per axis [sigma]
     std::optional<Index> box_changes;  ///< the first frame, from 1, whose box differs from that of frame 1

@@ -50,7 +50,6 @@ class FluidMeasurement : public RunMeasurement {
     void stage_ends(const Stage& stage) override;
 
   private:
-    void archive_external_force(Archive& a) const;
     void begin_to_watch(const Stage& stage);
     void complete(StageResult& stage) const;
     void adapt_analyses();
@@ -74,6 +73,7 @@ class FluidMeasurement : public RunMeasurement {
     std::optional<StabilityWatch> watch_;  ///< for the current stage
     bool sampling_ = false;                ///< the current stage is sampled
     bool conserves_energy_ = true;         ///< the current stage has a conserved energy
+    bool external_differs_ = false;        ///< the external force did between atoms, in sampled stages
     Vec3 analysed_edges_;                  ///< edges of the box that the analyses were made for
     Thermodynamics first_;
     Thermodynamics last_;

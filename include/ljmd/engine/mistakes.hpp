@@ -44,10 +44,6 @@ struct Mistake {
 /// More atoms than can be indexed, or none.
 [[nodiscard]] std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice);
 
-/// A film that is higher than its box, or whose potential has a tail correction: that is of a homogeneous fluid.
-/// @pre lattice_mistakes() finds none
-[[nodiscard]] std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail);
-
 [[nodiscard]] std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail);
 
 /// The pair search, and what only a Verlet list does.

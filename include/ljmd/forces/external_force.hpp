@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
@@ -73,6 +74,10 @@ class ExternalForce {
     ExternalForce& operator=(const ExternalForce&) = default;
 };
 
+/// Write which external force there is, or read which one there was: a checkpoint cannot hold the force itself.
+/// @param force  null: none  @throws CheckpointError  another name, or an energy that one has and the other has not
+void archive_presence(Archive& a, const ExternalForce* force);
+
 /// Adds an external force to the pair forces of a fluid.
 class ExternalForceTerm {
   public:
@@ -86,8 +91,13 @@ class ExternalForceTerm {
     /// @throws InputError if the shape of the forces was changed
     void add(State& state, Request request, Evaluation& evaluation);
 
+    /// Whether the forces of the last evaluation differ between atoms. If not they move the centre of mass and nothing
+    /// else.
+    [[nodiscard]] bool differs() const { return differs_; }
+
   private:
     std::shared_ptr<ExternalForce> force_;
+    bool differs_ = false;
     AtomPositions atoms_;
     Eigen::Matrix3Xd forces_;
 };

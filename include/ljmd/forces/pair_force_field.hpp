@@ -39,6 +39,8 @@ class PairForceField : public ForceField {
     /// The external force; null: none. Set it before the evaluation that it is to be in.
     void set_external(std::shared_ptr<ExternalForce> force);
     [[nodiscard]] std::shared_ptr<ExternalForce> external() const { return external_ ? external_->force() : nullptr; }
+    /// Whether the external force of the last evaluation differs between atoms.
+    [[nodiscard]] bool external_differs() const { return external_ && external_->differs(); }
     /// Wall time spent on pair sums and on the external force, without the neighbour search [s].
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 

@@ -36,6 +36,7 @@ struct SampledRun {
     std::optional<Interaction> interaction;    ///< empty while a deck is checked
     Ensemble ensemble = Ensemble::none;        ///< of the samples
     std::optional<double> held_pressure = {};  ///< held by the barostat of the sampled stages
+    bool is_film = false;                      ///< liquid and vapour share the box, see is_film() of starts
 };
 
 /// A measurement on configurations during the sampled stages of a run. Sampling never changes the state.
@@ -76,6 +77,8 @@ struct AnalysisNeeds {
     bool fixed_box = true;              ///< uses SampledRun::box throughout; otherwise the box of each configuration
     bool continuous_potential = false;  ///< a step at the cutoff has impulses, which the forces lack
     bool constant_energy = false;       ///< sampled stages without thermostat
+    bool homogeneous = false;           ///< its formula is for one phase that fills the box
+    bool film = false;                  ///< it is for liquid and vapour in one box
     bool shortest_box = true;  ///< its options are limited by SampledRun::box, which a barostat may make too small
 };
 

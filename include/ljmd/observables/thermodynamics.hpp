@@ -57,9 +57,9 @@ inline constexpr const char* no_temperature =
 /// @pre as for thermodynamics()
 [[nodiscard]] Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const TailCorrection& tail);
 
-/// (sum m v v + W_ab)/V [epsilon/sigma^3]: the momentum flux through a plane, whose fluctuations determine the
-/// viscosity. Unlike the pressure tensor it is not scaled: where momentum is conserved, it has 3 N - 3 degrees of
-/// freedom.
+/// (sum m v v - P P/M + W_ab)/V [epsilon/sigma^3]: the momentum flux through a plane that moves with the centre of
+/// mass, whose fluctuations determine the viscosity. Unlike the pressure tensor it is not scaled: it has the 3 N - 3
+/// degrees of freedom of the motion about the centre of mass.
 /// @pre as for thermodynamics()
 [[nodiscard]] Mat3 mechanical_stress(const State& state, const Evaluation& evaluation);
 

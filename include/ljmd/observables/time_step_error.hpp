@@ -10,8 +10,9 @@ namespace ljmd {
 /// Difference between the temperatures of velocities and of configurations that a time step h of a second-order method
 /// causes. It is the mean relative excess of the kinetic energy half a step later, with v + h f/(2 m) for v:
 ///
-///     (h^2/4) <sum f^2/m>/<sum m v^2>                     (w h/2)^2 for oscillators of angular frequency w
+///     (h^2/4) <sum f^2/m - F^2/M>/<sum m v^2 - P^2/M>     (w h/2)^2 for oscillators of angular frequency w
 ///
+/// It is that of the motion about the centre of mass, which an external force may let fall; F is the force on it.
 /// For oscillators within the stability limit of velocity Verlet (w h < 2), the ratio of kinetic to potential energy is
 /// too low by exactly this fraction. The measurement needs no long run and does not see the energy jumps of a plain
 /// cut.

@@ -23,7 +23,11 @@ namespace ljmd {
 ///
 /// Test with log-normal weights (width of ln w from 1 to 3.5, 10 to 30000 insertions, 300 to 1500 trials each): the
 /// remaining results have a mean deviation of at most 0.6 errors and a scatter of 0.5 to 1.15 errors about the true
-/// value; without the second criterion, up to 8 errors. Standard errors by block averaging over configurations.
+/// value; without the second criterion, up to 8 errors.
+///
+/// In a film of liquid in its vapour it is that of the whole box, mu - T ln(Lambda^3 N/V) with N/V of liquid and vapour
+/// together, neither that of the liquid nor that of the vapour; a remark says so. Standard errors by block averaging
+/// over configurations.
 /// Observable: excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit,
 /// section 7.2.3
 class WidomInsertion : public BlockMeans {
@@ -46,6 +50,7 @@ class WidomInsertion : public BlockMeans {
 
     Interaction interaction_;
     std::optional<double> held_temperature_;
+    bool is_film_;
     Random random_;
     Index insertions_;
     CellGrid grid_;

@@ -1,5 +1,7 @@
 #include "ljmd/deck/tables/system_table.hpp"
 
+#include "ljmd/engine/film_mistakes.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -106,6 +108,10 @@ bool SystemTable::draws_velocities() const {
 
 bool SystemTable::wants_velocities_of_file() const {
     return velocities == of_file;
+}
+
+bool SystemTable::is_film() const {
+    return lattice && density && !lattice->is_random() && ljmd::is_film(lattice->start(), *density);
 }
 
 }  // namespace ljmd

@@ -47,7 +47,11 @@ AnalysisMethod bulk_viscosity() {
                 "pressure_autocorrelation.csv; only at constant energy, and not with truncation = \"cut\"",
             .files = {"pressure_autocorrelation"},
             .follows_time = true,
-            .needs = {.velocities = true, .interaction = true, .continuous_potential = true, .constant_energy = true},
+            .needs = {.velocities = true,
+                      .interaction = true,
+                      .continuous_potential = true,
+                      .constant_energy = true,
+                      .homogeneous = true},
             .options = [] { return std::make_unique<BulkViscosityOptions>(); }};
 }
 

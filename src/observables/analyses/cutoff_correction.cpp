@@ -59,7 +59,7 @@ AnalysisMethod cutoff_correction() {
             .meaning = "what to add to energy and pressure for those of the potential without cutoff",
             .files = {},
             .follows_time = false,
-            .needs = {.interaction = true},
+            .needs = {.interaction = true, .homogeneous = true},
             .options = [] { return std::make_unique<CutoffCorrectionOptions>(); }};
 }
 

@@ -30,7 +30,11 @@ AnalysisMethod response_functions() {
                 "ensemble",
             .files = {},
             .follows_time = false,
-            .needs = {.velocities = true, .interaction = true, .fixed_box = false, .shortest_box = false},
+            .needs = {.velocities = true,
+                      .interaction = true,
+                      .fixed_box = false,
+                      .homogeneous = true,
+                      .shortest_box = false},
             .options = [] { return std::make_unique<ResponseFunctionsOptions>(); }};
 }
 

@@ -39,7 +39,7 @@ AnalysisMethod thermal_conductivity() {
                 "heat_flux_autocorrelation.csv; not with truncation = \"cut\"",
             .files = {"heat_flux_autocorrelation"},
             .follows_time = true,
-            .needs = {.velocities = true, .interaction = true, .continuous_potential = true},
+            .needs = {.velocities = true, .interaction = true, .continuous_potential = true, .homogeneous = true},
             .options = [] { return std::make_unique<ThermalConductivityOptions>(); }};
 }
 

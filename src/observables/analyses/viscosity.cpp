@@ -34,7 +34,7 @@ AnalysisMethod viscosity() {
                 "stress_autocorrelation.csv",
             .files = {"stress_autocorrelation"},
             .follows_time = true,
-            .needs = {.velocities = true, .interaction = true},
+            .needs = {.velocities = true, .interaction = true, .homogeneous = true},
             .options = [] { return std::make_unique<ViscosityOptions>(); }};
 }
 

@@ -116,13 +116,6 @@ std::vector<ObservableAverage> Film::observables() const {
         }
         return {tension, pressure, liquid, vapour};
     }
-    if (has_tail_) {
-        tension.remark = no_tail;
-        pressure.remark = no_tail;
-    } else {
-        tension.estimate = means_.estimate(3 * layers_);
-        pressure.estimate = means_.estimate(3 * layers_ + 1);
-    }
     if (const std::optional<double> at = surface()) {
         const auto half = static_cast<double>(densities_.width());
         const auto inner = static_cast<Index>(std::floor(0.5 * *at));
@@ -136,6 +129,13 @@ std::vector<ObservableAverage> Film::observables() const {
             vapour.estimate = mean_density(outer, densities_.width());
             vapour.remark.clear();
         }
+    }
+    if (has_tail_ || !liquid.estimate || !vapour.estimate) {
+        tension.remark = has_tail_ ? no_tail : no_film;
+        pressure.remark = tension.remark;
+    } else {
+        tension.estimate = means_.estimate(3 * layers_);
+        pressure.estimate = means_.estimate(3 * layers_ + 1);
     }
     return {tension, pressure, liquid, vapour};
 }

@@ -24,14 +24,17 @@ LJMD_INLINE Four cos_of_turns(Four x) {
     return 1.0 - 2.0 * z * s * s;
 }
 
-void sums_of_cosines(const double* r, Index count, const double* turns, double* sums) {
+void sums_of_cosines(const double* r, Index count, const double* turns, const double* start, double* sums) {
     Four turns_of_axes;
+    Four start_of_axes;
     __builtin_memcpy(&turns_of_axes, turns, sizeof turns_of_axes);
+    __builtin_memcpy(&start_of_axes, start, sizeof start_of_axes);
     // Adding and subtracting this number rounds a cosine to a multiple of 2^-42, so that the sum is exact.
     constexpr double rounding = 0x1.8p10;
     Four sum{};
     for (Index i = 0; i < count; ++i) {
-        const Four cosine = cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + vector_stride * i));
+        const Four cosine =
+            cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + vector_stride * i) - start_of_axes);
         sum += (cosine + rounding) - rounding;
     }
     __builtin_memcpy(sums, &sum, sizeof sum);

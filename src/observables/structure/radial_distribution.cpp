@@ -13,6 +13,9 @@ namespace {
 /// g - 1 is padded with zeros up to this many times R, which makes the spacing of wave numbers smaller by that factor.
 constexpr Index padding = 4;
 
+/// Number of the wave number 2 pi/R.
+constexpr Index smallest_known = 2 * padding;
+
 double volume_within(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
@@ -84,9 +87,11 @@ std::vector<DataTable> RadialDistribution::tables() const {
         const Estimate s = means_.estimate(2 * bins_ + k);
         rdf.rows.push_back({width() * (static_cast<double>(k) + 0.5), g.mean, g.standard_error, neighbors.mean,
                             neighbors.standard_error});
-        sk.rows.push_back({wave_number(k + 1), s.mean, s.standard_error});
+        if (k + 1 >= smallest_known) {
+            sk.rows.push_back({wave_number(k + 1), s.mean, s.standard_error});
+        }
     }
-    return {rdf, sk};
+    return sk.rows.empty() ? std::vector{rdf} : std::vector{rdf, sk};
 }
 
 std::vector<ObservableAverage> RadialDistribution::observables() const {

@@ -1,8 +1,8 @@
 #include "ljmd/observables/transport/heat_flux.hpp"
 
 #include "ljmd/execution/loops.hpp"
-#include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/pairs_within.hpp"
+#include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -11,12 +11,10 @@ namespace {
 
 /// Velocities about the centre of mass, in the order of other atoms with the same ids.
 Eigen::Matrix3Xd peculiar_velocities(const State& state, const std::vector<Index>& ids) {
-    const Vec3 centre = centre_velocity(state);
-    const std::vector<Index> index_of = state.index_of();
+    const Eigen::Matrix3Xd by_id = velocities_about_centre(state);
     Eigen::Matrix3Xd v(3, state.count());
     for (Index i = 0; i < state.count(); ++i) {
-        const Index id = ids[static_cast<std::size_t>(i)];
-        v.col(i) = state.velocities().col(index_of[static_cast<std::size_t>(id)]) - centre;
+        v.col(i) = by_id.col(ids[static_cast<std::size_t>(i)]);
     }
     return v;
 }

@@ -8,6 +8,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/observables/transport/centre_frame.hpp"
 
 namespace ljmd {
 
@@ -52,9 +53,7 @@ MeanSquareDisplacement::MeanSquareDisplacement(Index atoms, const LagTimes& lags
 
 void MeanSquareDisplacement::sample(const State& state, const Evaluation& /*evaluation*/) {
     ++samples_;
-    Eigen::Matrix3Xd positions(3, atoms_);
-    for_each_index(state.execution(), atoms_,
-                   [&](Index i) { positions.col(state.ids()[static_cast<std::size_t>(i)]) = state.unwrapped(i); });
+    const Eigen::Matrix3Xd positions = positions_about_centre(state);
     if (frames_ % frames_between_origins_ == 0) {
         origins_.push_back({positions, Eigen::VectorXd()});
     }
@@ -95,7 +94,11 @@ std::vector<ObservableAverage> MeanSquareDisplacement::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    return {{"diffusion", "D", "sigma^2/tau", means_.estimate(lags_.count + 1)}};
+    ObservableAverage diffusion{"diffusion", "D", "sigma^2/tau", means_.estimate(lags_.count + 1)};
+    if (atoms_ == 1) {
+        diffusion = {"diffusion", "D", "sigma^2/tau", std::nullopt, moves_with_centre};
+    }
+    return {diffusion};
 }
 
 void MeanSquareDisplacement::archive(Archive& a) {

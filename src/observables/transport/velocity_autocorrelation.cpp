@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ljmd/execution/loops.hpp"
+#include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/green_kubo.hpp"
 
 namespace ljmd {
@@ -18,11 +18,8 @@ VelocityAutocorrelation::VelocityAutocorrelation(Index atoms, const LagTimes& la
 
 void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*evaluation*/) {
     ++samples_;
-    Eigen::VectorXd frame(3 * atoms_);
-    const auto v = state.velocities();
-    for_each_index(state.execution(), atoms_,
-                   [&](Index i) { frame.segment<3>(3 * state.ids()[static_cast<std::size_t>(i)]) = v.col(i); });
-    const std::optional<Eigen::VectorXd> sum = window_.add(frame, state.execution());
+    const std::optional<Eigen::VectorXd> sum =
+        window_.add(velocities_about_centre(state).reshaped(), state.execution());
     if (!sum) {
         return;
     }
@@ -73,6 +70,9 @@ std::vector<DataTable> VelocityAutocorrelation::tables() const {
 std::vector<ObservableAverage> VelocityAutocorrelation::observables() const {
     if (means_.samples() == 0) {
         return {};
+    }
+    if (atoms_ == 1) {
+        return {{"diffusion_green_kubo", "D_GK", "sigma^2/tau", std::nullopt, moves_with_centre}};
     }
     return {green_kubo_integral({"diffusion_green_kubo", "D_GK", "sigma^2/tau", diffusion()}, change_of_diffusion())};
 }

@@ -8,16 +8,18 @@ using namespace ljmd;
 
 namespace {
 
-/// One atom that flies straight on with velocity 1, as `msd` sees it.
+/// Two atoms that fly apart, each straight on with velocity 1, as `msd` sees them.
 std::unique_ptr<Analysis> flight(const test::AnalysisSettings& settings, Index every) {
-    State state = test::random_state(1, Box(Vec3::Constant(6.0)), 1);
+    State state = test::random_state(2, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("msd");
     const SampledRun run = test::run_of(state);  // 10000 steps of 0.004 tau
     auto analysis = test::analysis_options(method, settings)->make(run);
-    const Vec3 begin = static_cast<const State&>(state).positions().col(0);
+    const Eigen::Matrix3Xd begin = static_cast<const State&>(state).positions();
     for (Index step = 0; step <= run.steps; step += every) {
         CHECK(analysis->due(step));
-        state.write_positions().col(0) = begin + Vec3(0.004 * static_cast<double>(step), 0.0, 0.0);
+        const Vec3 way(0.004 * static_cast<double>(step), 0.0, 0.0);
+        state.write_positions().col(0) = begin.col(0) + way;
+        state.write_positions().col(1) = begin.col(1) - way;
         analysis->sample(state, {});
     }
     return analysis;

@@ -209,10 +209,11 @@ TEST_CASE("the structure factor from g is its sine transform") {
     const auto tables = rdf.tables();
     REQUIRE(tables.size() == 2);
     CHECK(tables[1].name == "sk_from_rdf");
-    REQUIRE(tables[1].rows.size() == 60);
+    REQUIRE(tables[1].rows.size() == 53);
     const double others = static_cast<double>(state.count() - 1) / state.box().volume();
-    for (std::size_t m = 0; m < 60; ++m) {
-        const double k = std::numbers::pi * static_cast<double>(m + 1) / 12.0;
+    CHECK(tables[1].rows[0][0] == Approx(2.0 * std::numbers::pi / 3.0).epsilon(1e-13));
+    for (std::size_t m = 0; m < 53; ++m) {
+        const double k = std::numbers::pi * static_cast<double>(m + 8) / 12.0;
         double integral = 0.0;
         for (const auto& row : tables[0].rows) {
             integral += 0.05 * row[r_column] * (row[g_column] - 1.0) * std::sin(k * row[r_column]) / k;
@@ -220,6 +221,18 @@ TEST_CASE("the structure factor from g is its sine transform") {
         CHECK(tables[1].rows[m][0] == Approx(k).epsilon(1e-13));
         CHECK(tables[1].rows[m][1] == Approx(1.0 + 4.0 * std::numbers::pi * others * integral).epsilon(1e-10));
     }
+}
+
+TEST_CASE("a curve of the structure factor has no wave longer than g(r) reaches, and none with fewer than 8 bins") {
+    const auto tables_of = [](Index bins) {
+        RadialDistribution rdf(bins, 2.0, Every(1));
+        rdf.sample(test::shaken_crystal(4, 0.8442, 0.1, 3), {});
+        return rdf.tables();
+    };
+    CHECK(tables_of(7).size() == 1);
+    REQUIRE(tables_of(8).size() == 2);
+    REQUIRE(tables_of(8)[1].rows.size() == 1);
+    CHECK(tables_of(8)[1].rows[0][0] == Approx(std::numbers::pi).epsilon(1e-13));
 }
 
 TEST_CASE("the coordination number of a crystal is that of its first shell") {

@@ -48,12 +48,13 @@ class Walk {
     State state_;
 };
 
+/// About the centre of mass.
 Eigen::Matrix3Xd unwrapped_by_id(const State& state) {
     Eigen::Matrix3Xd r(3, state.count());
     for (Index i = 0; i < state.count(); ++i) {
         r.col(state.ids()[static_cast<std::size_t>(i)]) = state.unwrapped(i);
     }
-    return r;
+    return r.colwise() - r.rowwise().mean();
 }
 
 }  // namespace
@@ -89,10 +90,11 @@ TEST_CASE("displacements are those from the time origins, through walls and what
     }
 }
 
-TEST_CASE("a random walk has the diffusion it was made with") {
-    constexpr double diffusion = 0.4;
+TEST_CASE("a random walk has the diffusion it was made with, but for that of the centre of mass") {
+    constexpr double walked = 0.4;
+    constexpr double diffusion = walked * (1.0 - 1.0 / 100.0);
     MeanSquareDisplacement msd = displacement_of(100, 12);
-    Walk walk(100, diffusion, 3);
+    Walk walk(100, walked, 3);
     for (int t = 0; t < 4000; ++t) {
         msd.sample(walk.next(), {});
     }
@@ -113,15 +115,45 @@ TEST_CASE("diffusion is the slope from the start of the fit on: straight flight 
     // msd = v^2 t^2; the least-squares line through points from t1 to t2 has the slope v^2 (t1 + t2).
     const double start = GENERATE(0.0, 0.6, 0.61, 1.1);
     const double first = start == 0.61 ? 0.7 : start;
-    MeanSquareDisplacement msd = displacement_of(3, 1, start);
-    State state = test::random_state(3, Box(Vec3::Constant(6.0)), 1);
+    MeanSquareDisplacement msd = displacement_of(2, 1, start);
+    State state = test::random_state(2, Box(Vec3::Constant(6.0)), 1);
     const Eigen::Matrix3Xd begin = state.positions();
     const Vec3 velocity(3.0, -1.0, 2.0);
     for (int t = 0; t <= 12; ++t) {
-        state.write_positions() = begin.colwise() + velocity * (0.1 * t);
+        state.write_positions().col(0) = begin.col(0) + velocity * (0.1 * t);
+        state.write_positions().col(1) = begin.col(1) - velocity * (0.1 * t);
         msd.sample(state, {});
     }
     CHECK(msd.observables().at(0).estimate->mean == Approx(14.0 * (first + 1.2) / 6.0).epsilon(1e-9));
+}
+
+TEST_CASE("a frame that moves, however it does, sees the same displacements") {
+    const auto seen_from = [](const auto& place) {
+        MeanSquareDisplacement msd = displacement_of(20, 5);
+        Walk walk(20, 1.5, 4);
+        for (int t = 0; t < 60; ++t) {
+            State state = walk.next();
+            state.write_positions().colwise() += place(0.1 * t);
+            msd.sample(state, {});
+        }
+        return msd;
+    };
+    const MeanSquareDisplacement still = seen_from([](double) -> Vec3 { return Vec3::Zero(); });
+    const MeanSquareDisplacement moving = seen_from([](double t) -> Vec3 { return Vec3(7.0, -3.0, 0.5 * t) * t; });
+    CHECK(moving.observables().at(0).estimate->mean == Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
+    for (std::size_t k = 0; k < still.tables().at(0).rows.size(); ++k) {
+        CHECK(moving.tables().at(0).rows[k][1] == Approx(still.tables().at(0).rows[k][1]).margin(1e-10));
+    }
+}
+
+TEST_CASE("a single atom has no diffusion, because it is its own centre of mass") {
+    MeanSquareDisplacement msd = displacement_of(1, 1);
+    Walk walk(1, 1.5, 4);
+    for (int t = 0; t <= 12; ++t) {
+        msd.sample(walk.next(), {});
+    }
+    CHECK_FALSE(msd.observables().at(0).estimate.has_value());
+    CHECK(msd.observables().at(0).remark == "a single atom has no motion about the centre of mass");
 }
 
 TEST_CASE("displacements go on from an archive bit for bit, and begin anew where they are interrupted") {

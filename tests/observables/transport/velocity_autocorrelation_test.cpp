@@ -18,7 +18,7 @@ constexpr LagTimes ten_lags{.every = 2, .count = 10, .spacing = 0.05};
 enum Column : std::size_t { time_column, vacf_column, error_column, normalized_column, diffusion_column };
 
 /// Velocities that forget what they were at the rate `friction`, in a bath of temperature 1 (Ornstein-Uhlenbeck): their
-/// autocorrelation is 3 exp(-friction t).
+/// autocorrelation is 3 exp(-friction t), and 3 (1 - 1/N) exp(-friction t) about the centre of mass.
 class Bath {
   public:
     Bath(Index atoms, double friction, double interval, unsigned seed)
@@ -69,7 +69,8 @@ TEST_CASE("the velocity autocorrelation follows atoms, wherever they lie in memo
         std::shuffle(order.begin(), order.end(), generator);
         state.reorder(order);
         state.write_velocities() = moving_state(atoms, 100 + static_cast<unsigned>(t)).velocities();
-        frames.push_back(test::by_id(state, state.velocities()));
+        const Eigen::Matrix3Xd v = test::by_id(state, state.velocities());
+        frames.push_back(v.colwise() - v.rowwise().mean());
         vacf.sample(state, {});
     }
     CHECK(vacf.samples() == window);
@@ -102,14 +103,16 @@ TEST_CASE("velocities that decay exponentially give the diffusion and the spectr
         vacf.sample(bath.next(), {});
     }
     const DataTable correlation = vacf.tables().at(0);
+    constexpr double about_centre = 1.0 - 1.0 / 200.0;
     for (const auto& row : correlation.rows) {
-        CHECK(std::abs(row[vacf_column] - 3.0 * std::exp(-friction * row[time_column])) < 4.0 * row[error_column]);
+        CHECK(std::abs(row[vacf_column] - 3.0 * about_centre * std::exp(-friction * row[time_column])) <
+              4.0 * row[error_column]);
         CHECK(row[error_column] < 0.03);
     }
     const auto found = vacf.observables();
     REQUIRE(found.size() == 1);
     CHECK(found[0].name == "diffusion_green_kubo");
-    const double until = 1.0 - std::exp(-friction * 1.8);
+    const double until = about_centre * (1.0 - std::exp(-friction * 1.8));
     CHECK(std::abs(found[0].estimate->mean - until / friction) < 3.0 * found[0].estimate->standard_error);
     CHECK(found[0].estimate->standard_error < 0.01);
 
@@ -160,13 +163,35 @@ TEST_CASE("an oscillation is a line in the spectrum") {
         const double phase = frequency * 0.05 * t;
         auto v = state.write_velocities();
         v.col(0) = Vec3(std::cos(phase), std::sin(phase), 0.0);
-        v.col(1) = Vec3(0.0, std::sin(phase), std::cos(phase));
+        v.col(1) = -v.col(0);
         vacf.sample(state, {});
     }
     const DataTable spectrum = vacf.tables().at(1);
     for (std::size_t k = 0; k < spectrum.rows.size(); ++k) {
         CHECK(spectrum.rows[k][1] == Approx(k == 20 ? 5.0 / std::numbers::pi : 0.0).margin(1e-12));
     }
+}
+
+TEST_CASE("a frame that moves sees the same correlations, and a single atom has none") {
+    const auto seen_from = [](const Vec3& velocity, Index atoms) {
+        VelocityAutocorrelation vacf(atoms, ten_lags, 15);
+        Bath bath(atoms, 2.0, ten_lags.spacing, 12);
+        for (int t = 0; t < 60; ++t) {
+            State state = bath.next();
+            state.write_velocities().colwise() += velocity * (1.0 + 0.1 * t);
+            vacf.sample(state, {});
+        }
+        return vacf;
+    };
+    const VelocityAutocorrelation still = seen_from(Vec3::Zero(), 30);
+    const VelocityAutocorrelation moving = seen_from(Vec3(5.0, -1.0, 0.3), 30);
+    CHECK(moving.observables().at(0).estimate->mean == Approx(still.observables().at(0).estimate->mean).epsilon(1e-9));
+    for (std::size_t k = 0; k < 11; ++k) {
+        CHECK(moving.tables().at(0).rows[k][1] == Approx(still.tables().at(0).rows[k][1]).margin(1e-11));
+    }
+    const ObservableAverage alone = seen_from(Vec3::Zero(), 1).observables().at(0);
+    CHECK_FALSE(alone.estimate.has_value());
+    CHECK(alone.remark == "a single atom has no motion about the centre of mass");
 }
 
 TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and drops what was interrupted") {

@@ -49,6 +49,8 @@ struct SystemTable {
     /// neither.
     [[nodiscard]] bool draws_velocities() const;
     [[nodiscard]] bool wants_velocities_of_file() const;
+
+    [[nodiscard]] bool is_film() const;  ///< see is_film() of a FluidSpec
 };
 
 }  // namespace ljmd

@@ -17,7 +17,9 @@ namespace ljmd {
 /// The density of the liquid is that of the layers within half the half-thickness h of the film, that of the vapour
 /// that of the outer half of what is left, |z| > (h + L/2)/2. The surfaces lie at +-h, where the mean profile has the
 /// mean of its values in the middle and at the end of the box. Neither has a value where the two do not differ by more
-/// than the larger one's half, or where half the liquid or the vapour is thinner than 2 sigma.
+/// than the larger one's half, or where half the liquid or the vapour is thinner than 2 sigma. Tension and pressure
+/// have a value where both densities have one: a homogeneous fluid has no surface, and neither has a film seen along
+/// another axis.
 ///
 /// A plain cut exerts no impulse where pairs cross the cutoff; its forces, and so gamma, are those of the shifted
 /// potential. A tail correction is for homogeneous fluids: with one there is no value.

@@ -10,10 +10,9 @@ namespace ljmd {
 ///
 ///     msd(t) = 1/N sum_i |r_i(t0 + t) - r_i(t0)|^2,   D = 1/6 d msd/dt
 ///
-/// Positions are unwrapped (State::unwrapped). Time origins t0 are equally spaced, `origins` of them within the largest
-/// time. The slope is that of the least-squares line from fit_start to the largest time, for each origin. Standard
-/// errors by block averaging over origins, which overlap in time. At constant energy the total momentum is zero; if a
-/// thermostat moves the centre of mass, that is part of the displacement.
+/// Positions are unwrapped and relative to the centre of mass (centre_frame.hpp). Time origins t0 are equally spaced,
+/// `origins` of them within the largest time. The slope is that of the least-squares line from fit_start to the largest
+/// time, for each origin. Standard errors by block averaging over origins, which overlap in time.
 ///
 /// Table `msd`: time [tau], msd [sigma^2], its error. Observable: diffusion.
 /// Memory: 24 bytes per atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4
@@ -34,7 +33,7 @@ class MeanSquareDisplacement : public Analysis {
 
   private:
     struct Origin {
-        Eigen::Matrix3Xd positions;  ///< unwrapped, by id
+        Eigen::Matrix3Xd positions;  ///< relative to the centre of mass, by id
         Eigen::VectorXd found;       ///< msd at each time passed so far
 
         void archive(Archive& a) { a(positions, found); }

@@ -13,13 +13,13 @@ namespace ljmd {
 ///     D(t)  = 1/3 integral from 0 to t of C                            by the trapezoidal rule; D = D(max_time)
 ///     I(w)  = 2/pi integral from 0 to max_time of C(t)/C(0) cos(w t) dt
 ///
-/// The integral of I over w >= 0 is 1, and I(0) = 6 D/(pi C(0)). Averages are over atoms and, within windows of twice
-/// the largest time, over all time origins; standard errors by block averaging over windows.
-/// Tables: `vacf`: time [tau], vacf [epsilon/m], its error, vacf_normalized C(t)/C(0), diffusion D(t) [sigma^2/tau],
-/// its error. `vibrational_spectrum`: angular_frequency [1/tau], spectrum [tau], its error. Observable:
-/// diffusion_green_kubo. If configurations are too far apart (see green_kubo.hpp), neither it nor D(t) has a value, and
-/// there is no spectrum. Correlations beyond max_time are missing in D and cause ripples in I. Sources: Rahman (1964),
-/// doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306
+/// Velocities are relative to the centre of mass (centre_frame.hpp). The integral of I over w >= 0 is 1, and I(0) = 6
+/// D/(pi C(0)). Averages are over atoms and, within windows of twice the largest time, over all time origins; standard
+/// errors by block averaging over windows. Tables: `vacf`: time [tau], vacf [epsilon/m], its error, vacf_normalized
+/// C(t)/C(0), diffusion D(t) [sigma^2/tau], its error. `vibrational_spectrum`: angular_frequency [1/tau], spectrum
+/// [tau], its error. Observable: diffusion_green_kubo. If configurations are too far apart (see green_kubo.hpp),
+/// neither it nor D(t) has a value, and there is no spectrum. Correlations beyond max_time are missing in D and cause
+/// ripples in I. Sources: Rahman (1964), doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306
 class VelocityAutocorrelation : public Analysis {
   public:
     /// @param window  configurations per window, greater than lags.count

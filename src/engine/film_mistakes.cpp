@@ -1,0 +1,81 @@
+#include "ljmd/engine/film_mistakes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ljmd {
+
+namespace {
+
+double height_of_crystal(const LatticeStart& lattice, double density) {
+    return crystal_edges(lattice.lattice, lattice.cells, lattice.layers_along_z(), density).z();
+}
+
+}  // namespace
+
+bool is_film(const LatticeStart& lattice, double density) {
+    constexpr double rounding = 1e-9;
+    return lattice.height && *lattice.height > (1.0 + rounding) * height_of_crystal(lattice, density);
+}
+
+bool is_film(const FluidSpec& spec) {
+    const auto* crystal = std::get_if<LatticeStart>(&spec.start);
+    return crystal != nullptr && is_film(*crystal, spec.density);
+}
+
+std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail) {
+    std::vector<Mistake> found;
+    if (!lattice.height) {
+        return found;
+    }
+    const double crystal = height_of_crystal(lattice, density);
+    if (!(*lattice.height >= crystal && std::isfinite(*lattice.height))) {
+        found.push_back({"system",
+                         "",
+                         0,
+                         fmt::format("is {}, but the crystal is {:.6g} sigma high", *lattice.height, crystal),
+                         true,
+                         {"lattice.height", "lattice.cells", "lattice.layers", "density"},
+                         ""});
+    }
+    if (tail) {
+        found.push_back({"potential",
+                         "",
+                         0,
+                         "a film is not homogeneous, as the tail correction takes for granted: use a shifted form, or "
+                         "tail = false",
+                         false,
+                         {"tail"},
+                         ""});
+    }
+    return found;
+}
+
+std::vector<Mistake> homogeneity_mistakes(const std::vector<ChosenAnalysis>& analyses, bool is_film) {
+    const bool measures_film =
+        std::ranges::any_of(analyses, [](const ChosenAnalysis& each) { return each.plugin.needs.film; });
+    std::vector<Mistake> found;
+    const auto add = [&](const std::string& table, const std::string& name, const std::string& key,
+                         const std::string& sentence, const std::string& hint) {
+        found.push_back({table, name, 0, sentence, false, {key}, hint});
+    };
+    for (const ChosenAnalysis& each : analyses) {
+        const std::string& name = each.plugin.name;
+        if (each.plugin.needs.homogeneous && is_film) {
+            add("system", "", "lattice.height",
+                fmt::format(
+                    "the analysis {} is for a homogeneous fluid, and a box that is higher than its crystal holds "
+                    "a film",
+                    name),
+                "leave one of the two out");
+        } else if (each.plugin.needs.homogeneous && measures_film) {
+            add("analysis", name, "every", "it is for a homogeneous fluid, and another analysis measures a film here",
+                "leave one of the two out");
+        }
+    }
+    return found;
+}
+
+}  // namespace ljmd
