@@ -60,7 +60,7 @@ double spinodal(const EquationOfState& equation, double temperature, double stab
     double before = stable;
     const bool begins_stable = slope(stable) > 0.0;
     for (int step = 1; begins_stable && step <= scan_steps; ++step) {
-        const double density = stable + (unstable - stable) * step / scan_steps;
+        const double density = std::lerp(stable, unstable, static_cast<double>(step) / scan_steps);
         if (slope(density) <= 0.0) {
             return find_root(slope, before, density);
         }

@@ -42,7 +42,7 @@ double denser_than(const EquationOfState& equation, double temperature, double p
 /// in rounding where the phases cannot be told apart either.
 std::optional<double> vapour_pressure(const EquationOfState& equation, const CriticalPoint& critical,
                                       double temperature) {
-    constexpr double nearly = 1.0 - 1e-8;
+    constexpr double nearly = 1.0 - 1e-10;
     if (temperature > nearly * critical.temperature) {
         return pressure_of(equation, temperature, critical.density);
     }

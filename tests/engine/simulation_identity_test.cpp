@@ -111,7 +111,7 @@ Change change(FluidSpec& spec, int member) {
             seed = 8;
             return {"seed"};
         case 5:
-            potential = PairPotential::lennard_jones("cut", potential.cutoff());
+            potential = PairPotential::lennard_jones("shifted", potential.cutoff());
             return {"potential"};
         case 6:
             tail = true;
@@ -143,7 +143,7 @@ Change change(FluidSpec& spec, int member) {
 /// With a canonical thermostat, beside which a barostat is allowed, and with a stage at an energy that is asked for.
 FluidSpec with_everything() {
     FluidSpec spec = small_spec();
-    spec.potential = PairPotential::lennard_jones("shifted", {2.0, 0.0});
+    spec.potential = PairPotential::lennard_jones("cut", {2.0, 0.0});
     spec.stages[0].thermostat = thermostat("langevin", {{"time", 0.5}});
     Stage last = spec.stages[1];
     last.name = "at an energy";
