@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,11 +96,15 @@ TEST_CASE("at any distance from the critical point there are values, or a messag
                 REQUIRE_FALSE(phases.empty());
                 CHECK(phases.front().state.pressure == Approx(factor * pressure).epsilon(1e-9));
             }
+            std::optional<Coexistence> saturated;
             try {
-                CHECK(coexistence_at_pressure(equation, pressure).pressure == Approx(pressure).epsilon(1e-12));
+                saturated = coexistence_at_pressure(equation, pressure);
             } catch (const InputError& error) {
                 CHECK_THAT(error.what(), Contains("critical"));
                 CHECK(below < 1e-11);
+            }
+            if (saturated) {
+                CHECK(saturated->pressure == Approx(pressure).epsilon(1e-12));
             }
         }
         CHECK(coexisting >= 16);
