@@ -8,6 +8,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/observables/transport/overlapping_origins.hpp"
 
 namespace ljmd {
 
@@ -95,7 +96,8 @@ std::vector<ObservableAverage> MeanSquareDisplacement::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    return {{"diffusion", "D", "sigma^2/tau", means_.estimate(lags_.count + 1)}};
+    const double independent = independent_origins(slope_, frames_between_origins_, means_.samples());
+    return {{"diffusion", "D", "sigma^2/tau", overlapping_estimate(means_, lags_.count + 1, independent)}};
 }
 
 void MeanSquareDisplacement::archive(Archive& a) {
