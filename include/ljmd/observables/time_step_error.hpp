@@ -12,6 +12,8 @@ namespace ljmd {
 ///
 ///     (h^2/4) <sum f^2/m>/<sum m v^2>                     (w h/2)^2 for oscillators of angular frequency w
 ///
+/// In fluids T_conf/T - 1 is 1.3 to 3 times as large, because stiff pairs count most in T_conf (docs/physics.md).
+///
 /// For oscillators within the stability limit of velocity Verlet (w h < 2), the ratio of kinetic to potential energy is
 /// too low by exactly this fraction. The measurement needs no long run and does not see the energy jumps of a plain
 /// cut.
