@@ -12,8 +12,9 @@ namespace ljmd {
 ///
 /// Positions are unwrapped (State::unwrapped). Time origins t0 are equally spaced, `origins` of them within the largest
 /// time. The slope is that of the least-squares line from fit_start to the largest time, for each origin. Standard
-/// errors of msd by block averaging over origins, that of D by their known overlap, see overlapping_origins.hpp. At constant energy the total momentum is zero; if a
-/// thermostat moves the centre of mass, that is part of the displacement.
+/// errors of msd by block averaging over origins, that of D by their known overlap, see overlapping_origins.hpp. At
+/// constant energy the total momentum is zero; if a thermostat moves the centre of mass, that is part of the
+/// displacement.
 ///
 /// Table `msd`: time [tau], msd [sigma^2], its error. Observable: diffusion.
 /// Memory: 24 bytes per atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4
