@@ -37,32 +37,54 @@ FluidSpec seeded(FluidSpec spec) {
     return spec;
 }
 
+std::string identity_of(const NeighborSpec& neighbors) {
+    const auto& [method, skin, every, tile] = neighbors;
+    return fmt::format("{} {} {} {}", method, skin, every.value_or(0), tile.value_or(0));
+}
+
+template <class Plugin, class Options>
+std::string identity_of(const Chosen<Plugin, Options>& chosen) {
+    return fmt::format("{} {}", chosen.plugin.name, settings_in_words(chosen.values));
+}
+
+std::string identity_of(const Stage& stage) {
+    // All members are named, so that a new one does not compile until it is decided on.
+    const auto& [name, integrator, time_step, steps, temperature, sample, reverse, thermostat, barostat, seed,
+                 total_energy, until] = stage;
+    std::string text = fmt::format("{} {} {} {} {} {} {} {}", name, identity_of(integrator), time_step, steps,
+                                   temperature, sample, reverse, seed);
+    if (thermostat) {
+        text += " " + identity_of(*thermostat);
+    }
+    for (const WantedError& wanted : until) {
+        text += fmt::format(" until {} {}", wanted.observable, wanted.error);
+    }
+    if (barostat) {
+        text += " " + identity_of(*barostat);
+    }
+    if (total_energy) {  // after all that stages without one have, whose checkpoints are older
+        text += fmt::format(" total energy {}", *total_energy);
+    }
+    return text;
+}
+
 /// Everything of a specification that the trajectory and the results depend on but for the atoms, as text. Two
 /// specifications with the same text continue each other's runs.
 std::string identity(const FluidSpec& spec, const Execution& execution) {
-    std::string text = identity(spec.potential);
-    text += fmt::format("; {}; {} {} {} {}; {}; {} {}", spec.tail, spec.neighbors.method, spec.neighbors.skin,
-                        spec.neighbors.every.value_or(0), spec.neighbors.tile.value_or(0), spec.sample_every, spec.seed,
-                        name(execution.precision()));
-    for (const Stage& stage : spec.stages) {
-        text += fmt::format("; stage {} {} {} {} {} {} {} {} {}", stage.name, stage.integrator.plugin.name,
-                            settings_in_words(stage.integrator.values), stage.time_step, stage.steps, stage.temperature,
-                            stage.sample, stage.reverse, stage.seed);
-        if (stage.thermostat) {
-            text += fmt::format(" {} {}", stage.thermostat->plugin.name, settings_in_words(stage.thermostat->values));
-        }
-        for (const WantedError& wanted : stage.until) {
-            text += fmt::format(" until {} {}", wanted.observable, wanted.error);
-        }
-        if (stage.barostat) {
-            text += fmt::format(" {} {}", stage.barostat->plugin.name, settings_in_words(stage.barostat->values));
-        }
+    // All members are named, see identity_of(const Stage&). A checkpoint has the atoms, their box and their velocities
+    // in place of the start; units are for messages alone.
+    const auto& [start, density, start_temperature, keep_velocities, seed, potential, tail, neighbors, external, stages,
+                 sample_every, analyses, units] = spec;
+    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), tail, identity_of(neighbors),
+                                   sample_every, seed, name(execution.precision()));
+    for (const Stage& stage : stages) {
+        text += "; stage " + identity_of(stage);
     }
-    if (spec.external) {
-        text += fmt::format("; external force {}", spec.external->name());
+    if (external) {
+        text += fmt::format("; external force {}", external->name());
     }
-    for (const ChosenAnalysis& analysis : spec.analyses) {
-        text += fmt::format("; {} {}", analysis.plugin.name, settings_in_words(analysis.values));
+    for (const ChosenAnalysis& analysis : analyses) {
+        text += "; " + identity_of(analysis);
     }
     return text;
 }

@@ -11,7 +11,8 @@ namespace ljmd {
 
 namespace {
 
-constexpr double ideal_heat_capacity = 1.5;  ///< c_v/k_B of a monatomic ideal gas
+constexpr double ideal_cv = 1.5;             ///< c_v/k_B of a monatomic ideal gas
+constexpr double ideal_cp = ideal_cv + 1.0;  ///< c_p/k_B
 
 /// a with its derivatives; derivative(i, j) is the i-th in T and the j-th in rho.
 Taylor residual(const EquationOfState& equation, double temperature, double density) {
@@ -37,7 +38,8 @@ FluidProperties properties(const EquationOfState& equation, double temperature, 
     state.compressibility_factor = 1.0 + a_r;
     state.pressure = density * temperature * state.compressibility_factor;
     state.potential_energy = -temperature * a_t;
-    state.heat_capacity_cv = ideal_heat_capacity - 2.0 * a_t - a_tt;
+    state.residual_heat_capacity_cv = -2.0 * a_t - a_tt;
+    state.heat_capacity_cv = ideal_cv + state.residual_heat_capacity_cv;
     state.residual_helmholtz_energy = temperature * a.value();
     state.excess_chemical_potential = temperature * (a.value() + a_r);
     state.pressure_density_slope = temperature * (1.0 + 2.0 * a_r + a_rr);
@@ -45,6 +47,11 @@ FluidProperties properties(const EquationOfState& equation, double temperature, 
     state.pressure_density_curvature = temperature * (2.0 * a.derivative(0, 1) + 4.0 * density * a.derivative(0, 2) +
                                                       density * density * a.derivative(0, 3));
     state.non_ideal_expansion = temperature * a.derivative(1, 1) - a.derivative(0, 1) - density * a.derivative(0, 2);
+    if (state.pressure_density_slope > 0.0 && density > 0.0) {
+        const double b = a_r + a_tr;
+        state.residual_heat_capacity_cp =
+            state.residual_heat_capacity_cv + (2.0 * a_tr - a_rr + b * b) / (1.0 + 2.0 * a_r + a_rr);
+    }
     if (!std::isfinite(state.pressure) || !std::isfinite(state.potential_energy)) {
         throw PhysicsError(
             fmt::format("{} gives no pressure at temperature {} and density {}: too far from where it holds",
@@ -54,11 +61,7 @@ FluidProperties properties(const EquationOfState& equation, double temperature, 
 }
 
 std::optional<double> FluidProperties::heat_capacity_cp() const {
-    if (!(pressure_density_slope > 0.0) || density == 0.0) {
-        return std::nullopt;
-    }
-    const double expansion = pressure_temperature_slope / density;
-    return heat_capacity_cv + temperature * expansion * expansion / pressure_density_slope;
+    return residual_heat_capacity_cp ? std::optional(ideal_cp + *residual_heat_capacity_cp) : std::nullopt;
 }
 
 std::optional<double> FluidProperties::speed_of_sound() const {
@@ -82,15 +85,6 @@ std::optional<double> FluidProperties::thermal_expansion() const {
 std::optional<double> FluidProperties::joule_thomson_coefficient() const {
     const auto cp = heat_capacity_cp();
     return cp ? std::optional(temperature * non_ideal_expansion / (pressure_density_slope * *cp)) : std::nullopt;
-}
-
-double FluidProperties::residual_heat_capacity_cv() const {
-    return heat_capacity_cv - ideal_heat_capacity;
-}
-
-std::optional<double> FluidProperties::residual_heat_capacity_cp() const {
-    const auto cp = heat_capacity_cp();
-    return cp ? std::optional(*cp - ideal_heat_capacity - 1.0) : std::nullopt;
 }
 
 double second_virial_coefficient(const EquationOfState& equation, double temperature) {

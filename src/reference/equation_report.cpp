@@ -13,6 +13,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
+#include "near_critical.hpp"
 
 namespace ljmd {
 
@@ -35,8 +36,8 @@ std::vector<Line> lines_of(const EquationOfState& equation, const FluidPropertie
             {"isothermal_compressibility", "sigma^3/epsilon", state.isothermal_compressibility()},
             {"thermal_expansion", "k_B/epsilon", state.thermal_expansion()},
             {"joule_thomson_coefficient", "sigma^3/k_B", state.joule_thomson_coefficient()},
-            {"residual_heat_capacity_cv", "k_B", state.residual_heat_capacity_cv()},
-            {"residual_heat_capacity_cp", "k_B", state.residual_heat_capacity_cp()},
+            {"residual_heat_capacity_cv", "k_B", state.residual_heat_capacity_cv},
+            {"residual_heat_capacity_cp", "k_B", state.residual_heat_capacity_cp},
             {"residual_helmholtz_energy", "epsilon", state.residual_helmholtz_energy},
             {"excess_chemical_potential", "epsilon", state.excess_chemical_potential},
             {"pressure_density_slope", "epsilon", state.pressure_density_slope},
@@ -55,10 +56,14 @@ std::string heading(const EquationOfState& equation) {
 Coexistence coexistence_or_refusal(const EquationOfState& equation, double temperature) {
     auto found = coexistence(equation, temperature);
     if (!found) {
+        const double critical = critical_point(equation).temperature;
+        if (temperature < critical) {
+            throw InputError(too_near_critical("temperature", temperature, equation.name, critical));
+        }
         throw InputError(
-            fmt::format("temperature {} is not below the critical temperature of {}, {:.6g}; above it "
+            fmt::format("temperature {} is not below the critical temperature of {}, {}; above it "
                         "there is one phase: give its density",
-                        temperature, equation.name, critical_point(equation).temperature));
+                        temperature, equation.name, critical_in_words(temperature, critical)));
     }
     return *found;
 }

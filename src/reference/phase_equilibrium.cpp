@@ -8,6 +8,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/roots.hpp"
+#include "near_critical.hpp"
 
 namespace ljmd {
 
@@ -23,6 +24,9 @@ constexpr double thickest_critical_density = 0.45;
 constexpr double thinnest_vapour = std::numeric_limits<double>::min();
 constexpr double densest_liquid = 1.1;
 constexpr int scan_steps = 200;
+
+/// Spinodals nearer than this [sigma^-3] have pressures and chemical potentials that differ in few digits.
+constexpr double near_spinodals = 0.02;
 
 /// The point of an isotherm with the smallest slope, among densities that can be critical. Formulas with many terms
 /// have several inflections between the spinodals, and a root of d2p/drho2 may be any of them. So the whole range is
@@ -56,7 +60,7 @@ double spinodal(const EquationOfState& equation, double temperature, double stab
     double before = stable;
     const bool begins_stable = slope(stable) > 0.0;
     for (int step = 1; begins_stable && step <= scan_steps; ++step) {
-        const double density = stable + (unstable - stable) * step / scan_steps;
+        const double density = std::lerp(stable, unstable, static_cast<double>(step) / scan_steps);
         if (slope(density) <= 0.0) {
             return find_root(slope, before, density);
         }
@@ -67,16 +71,14 @@ double spinodal(const EquationOfState& equation, double temperature, double stab
                                    equation.valid.highest_temperature));
 }
 
-/// The phase with this pressure between two densities. If the pressure is not between those of the ends, as happens by
-/// round-off at the spinodals, the nearer end.
+}  // namespace
+
 FluidProperties phase_at(const EquationOfState& equation, double temperature, double pressure, double thin,
                          double dense) {
     const auto excess = [&](double density) { return properties(equation, temperature, density).pressure - pressure; };
     const double density = excess(thin) >= 0.0 ? thin : excess(dense) <= 0.0 ? dense : find_root(excess, thin, dense);
     return properties(equation, temperature, density);
 }
-
-}  // namespace
 
 double chemical_potential(const FluidProperties& phase) {
     return phase.temperature * std::log(phase.density) + phase.excess_chemical_potential;
@@ -106,6 +108,15 @@ std::optional<Coexistence> coexistence(const EquationOfState& equation, double t
     const auto ends = spinodals(equation, temperature);
     if (!ends) {
         return std::nullopt;
+    }
+    if (ends->liquid - ends->vapour < near_spinodals) {
+        const auto densities = saturated_near_critical(equation, temperature, *ends);
+        if (!densities) {
+            return std::nullopt;
+        }
+        const FluidProperties liquid = properties(equation, temperature, densities->liquid);
+        const FluidProperties vapour = properties(equation, temperature, densities->vapour);
+        return Coexistence{0.5 * (liquid.pressure + vapour.pressure), liquid, vapour};
     }
     const double end_of_vapour = ends->vapour;
     const double end_of_liquid = ends->liquid;

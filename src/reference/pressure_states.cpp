@@ -9,6 +9,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/roots.hpp"
+#include "near_critical.hpp"
 
 namespace ljmd {
 
@@ -36,15 +37,15 @@ double denser_than(const EquationOfState& equation, double temperature, double p
                                    equation.name, pressure, temperature));
 }
 
-/// The state with this pressure between two densities.
-FluidProperties state_between(const EquationOfState& equation, double temperature, double pressure, double thin,
-                              double dense) {
-    const auto excess = [&](double density) { return pressure_of(equation, temperature, density) - pressure; };
-    return properties(equation, temperature, find_root(excess, thin, dense));
-}
-
-/// The vapour pressure; none where the equation has no coexistence, because it is too cold.
-std::optional<double> vapour_pressure(const EquationOfState& equation, double temperature) {
+/// The vapour pressure; none where the equation has no coexistence, because it is too cold. It is a smooth function of
+/// the temperature up to the critical one, and that of the critical isochore but for terms of (T_c - T)^2. These drown
+/// in rounding where the phases cannot be told apart either.
+std::optional<double> vapour_pressure(const EquationOfState& equation, const CriticalPoint& critical,
+                                      double temperature) {
+    constexpr double nearly = 1.0 - 1e-10;
+    if (temperature > nearly * critical.temperature) {
+        return pressure_of(equation, temperature, critical.density);
+    }
     try {
         const auto both = coexistence(equation, temperature);
         return both ? std::optional(both->pressure) : std::nullopt;
@@ -60,14 +61,16 @@ std::vector<PhaseAtPressure> states_at_pressure(const EquationOfState& equation,
     const auto ends = spinodals(equation, temperature);
     const double thin_end = ends ? ends->liquid : thinnest;
     std::vector<PhaseAtPressure> found;
-    if (ends && pressure <= pressure_of(equation, temperature, ends->vapour)) {
-        found.push_back({"vapour", state_between(equation, temperature, pressure, thinnest, ends->vapour), 0.0});
+    // Near the critical temperature rounding may put the vapour's end below the liquid's.
+    const double lowest_of_liquid = ends ? pressure_of(equation, temperature, ends->liquid) : 0.0;
+    if (ends && pressure <= std::max(pressure_of(equation, temperature, ends->vapour), lowest_of_liquid)) {
+        found.push_back({"vapour", phase_at(equation, temperature, pressure, thinnest, ends->vapour), 0.0});
     }
-    if (!ends || pressure >= pressure_of(equation, temperature, ends->liquid)) {
+    if (!ends || pressure >= lowest_of_liquid) {
         const double first = std::max(thin_end, pressure / temperature * 1e-3);
         const double dense_end = denser_than(equation, temperature, pressure, first);
         found.push_back(
-            {ends ? "liquid" : "fluid", state_between(equation, temperature, pressure, thin_end, dense_end), 0.0});
+            {ends ? "liquid" : "fluid", phase_at(equation, temperature, pressure, thin_end, dense_end), 0.0});
     }
     if (found.size() == 2) {
         if (chemical_potential(found[1].state) < chemical_potential(found[0].state)) {
@@ -79,21 +82,18 @@ std::vector<PhaseAtPressure> states_at_pressure(const EquationOfState& equation,
 }
 
 Coexistence coexistence_at_pressure(const EquationOfState& equation, double pressure) {
-    constexpr double nearly = 1.0 - 1e-7;  // nearer to the critical point, liquid and vapour cannot be told apart
     constexpr double colder = 0.9;
     const CriticalPoint critical = critical_point(equation);
-    const double highest = nearly * critical.temperature;
-    const auto at_highest = vapour_pressure(equation, highest);
-    if (pressure >= at_highest.value_or(critical.pressure)) {
+    if (pressure >= critical.pressure) {
         throw InputError(
-            fmt::format("pressure {} is not below the critical pressure of {}, {:.6g}; above it there is one phase: "
+            fmt::format("pressure {} is not below the critical pressure of {}, {}; above it there is one phase: "
                         "give its temperature, too",
-                        pressure, equation.name, critical.pressure));
+                        pressure, equation.name, critical_in_words(pressure, critical.pressure)));
     }
-    double lowest = std::min(equation.valid.lowest_temperature, colder * highest);
-    std::optional<double> there = vapour_pressure(equation, lowest);
+    double lowest = std::min(equation.valid.lowest_temperature, colder * critical.temperature);
+    std::optional<double> there = vapour_pressure(equation, critical, lowest);
     std::optional<double> last = there;
-    for (; there && *there > pressure; there = vapour_pressure(equation, lowest)) {
+    for (; there && *there > pressure; there = vapour_pressure(equation, critical, lowest)) {
         last = there;
         lowest *= colder;
     }
@@ -103,10 +103,16 @@ Coexistence coexistence_at_pressure(const EquationOfState& equation, double pres
                         equation.name, pressure, last.value_or(0.0), lowest / colder));
     }
     // The logarithm of the vapour pressure is nearly a linear function of 1/T.
-    const double inverse =
-        find_root([&](double x) { return std::log(coexistence(equation, 1.0 / x).value().pressure / pressure); },
-                  1.0 / highest, 1.0 / lowest);
-    return coexistence(equation, 1.0 / inverse).value();
+    const double hottest = 1.0 / critical.temperature;
+    const auto excess = [&](double inverse) {
+        return std::log(vapour_pressure(equation, critical, 1.0 / inverse).value() / pressure);
+    };
+    const auto found =
+        excess(hottest) > 0.0 ? coexistence(equation, 1.0 / find_root(excess, hottest, 1.0 / lowest)) : std::nullopt;
+    if (!found) {
+        throw InputError(too_near_critical("pressure", pressure, equation.name, critical.pressure));
+    }
+    return *found;
 }
 
 }  // namespace ljmd

@@ -104,7 +104,7 @@ void add_time_step_verdict(std::vector<Verdict>& verdicts, const Data& results) 
             {"time step", remark.empty() ? "good" : "bad",
              remark.empty()
                  ? fmt::format("The time step of stage '{}' is short enough: it sets the temperatures of "
-                               "velocities and of configurations {} apart.",
+                               "velocities and of configurations about {} apart.",
                                text_in(stage, {"name"}), percent(std::abs(*error)))
                  : fmt::format("The time step of stage '{}' is too long: {}.", text_in(stage, {"name"}), remark)});
     }

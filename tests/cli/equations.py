@@ -75,6 +75,25 @@ def coexistence_from_a_pressure(t):
     t.check(abs(found["liquid"]["density"] - 0.75277) < 1e-4, f"liquid: {found['liquid']['density']}")
 
 
+def near_the_critical_point(t):
+    """Values down to rounding; they are those of arithmetic with 60 digits."""
+    for arguments, temperature, pressure, vapour, liquid in (
+            (("--temperature", "1.32000034695"), 1.32000034695, 0.1300604047126981, 0.313166936559482, 0.313233328843815),
+            (("--temperature", "1.08599998", "--model", "thol2015"), 1.08599998, 0.1007658281353804, 0.318906574301951,
+             0.319093451870188),
+            (("--temperature", "1.33964782", "--model", "kolafa-nezbeda1994"), 1.33964782, 0.140530372906318, 0.310750404303896,
+             0.310857399236398),
+            (("--pressure", "0.1300604"), 1.3200003383311293, 0.1300604, 0.31262874076793, 0.31372326746816)):
+        found = json.loads(t.run_well("eos", *arguments, "--json").out)
+        for name, value, right, of in (("temperature", found["temperature"], temperature, 1e-13),
+                                       ("pressure", found["pressure"], pressure, 1e-13),
+                                       ("vapour", found["vapour"]["density"], vapour, 3e-8),
+                                       ("liquid", found["liquid"]["density"], liquid, 3e-8)):
+            t.check(abs(value / right - 1.0) < of, f"{arguments}, {name}: {value}, right {right}")
+    t.contains(t.expect(2, t.run("eos", "--temperature", "1.32000034699")).err, "critical temperature of thol2016, 1.3200003469821535;")
+    t.contains(t.expect(2, t.run("eos", "--pressure", "0.1300604047302798")).err, "critical")
+
+
 def a_range(t):
     """A table, whose numbers are those of the states one by one; CSV and JSON have all of them."""
     arguments = ("eos", "--temperature", "0.7:1.3:7", "--density", "0.01|0.8")
@@ -128,7 +147,7 @@ def refused(code, *arguments):
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (every_equation_is_listed, a_state, coexistence, what_no_temperature_has, from_a_pressure,
-                         coexistence_from_a_pressure, a_range, a_range_of_coexistence)] + [
+                         coexistence_from_a_pressure, near_the_critical_point, a_range, a_range_of_coexistence)] + [
         Case("too cold", warned("--temperature", "0.5", "--density", "0.9")),
         Case("too dense", warned("--temperature", "2", "--density", "1.3", "--model", "johnson1993")),
         Case("too high a pressure", warned("--temperature", "5", "--density", "1.3")),

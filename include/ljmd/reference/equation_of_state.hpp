@@ -52,12 +52,19 @@ struct FluidProperties {
     double pressure;                    ///< p
     double potential_energy;            ///< u, without the kinetic energy
     double heat_capacity_cv;            ///< c_v, including 3/2 from the kinetic energy
+    double residual_heat_capacity_cv;   ///< c_v - 3/2, to all digits at any low density
     double residual_helmholtz_energy;   ///< A_res/N
     double excess_chemical_potential;   ///< mu_x, relative to the ideal gas at the same density
     double pressure_density_slope;      ///< dp/drho at constant T; 1/(rho kappa_T). Negative if no phase is stable
     double pressure_temperature_slope;  ///< dp/dT at constant density
     double pressure_density_curvature;  ///< d2p/drho2 at constant T
     double non_ideal_expansion;         ///< (T dp/dT/rho - dp/drho)/(rho T) = T a_Trho - a_rho - rho a_rhorho
+
+    /// c_p - 5/2, to all digits at any low density, where it becomes -rho T^2 d2B2/dT2. With b = rho a_rho + T rho
+    /// a_Trho:
+    ///
+    ///     c_p - 5/2 = c_v - 3/2 + (2 T rho a_Trho - rho^2 a_rhorho + b^2) / (1 + 2 rho a_rho + rho^2 a_rhorho)
+    std::optional<double> residual_heat_capacity_cp;
 
     [[nodiscard]] std::optional<double> heat_capacity_cp() const;  ///< c_p
     [[nodiscard]] std::optional<double> speed_of_sound() const;    ///< w
@@ -67,9 +74,6 @@ struct FluidProperties {
 
     /// mu_JT. To all digits at any low density, where T alpha_p is nearly 1: it becomes (T dB2/dT - B2)/(5/2).
     [[nodiscard]] std::optional<double> joule_thomson_coefficient() const;
-
-    [[nodiscard]] double residual_heat_capacity_cv() const;                 ///< c_v - 3/2
-    [[nodiscard]] std::optional<double> residual_heat_capacity_cp() const;  ///< c_p - 5/2
 };
 
 /// The equation with this name. @throws InputError listing all names, if there is none

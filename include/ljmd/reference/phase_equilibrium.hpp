@@ -20,6 +20,11 @@ struct CriticalPoint {
 /// G/N = mu up to a function of the temperature: T ln rho + mu_x. @pre density > 0
 [[nodiscard]] double chemical_potential(const FluidProperties& phase);
 
+/// The phase with this pressure between two densities where dp/drho >= 0. If the pressure is not between those of the
+/// ends, as happens by round-off at the spinodals, the nearer end.
+[[nodiscard]] FluidProperties phase_at(const EquationOfState& equation, double temperature, double pressure,
+                                       double thin, double dense);
+
 /// Where vapour and liquid cease to be stable or metastable: dp/drho = 0. Densities [sigma^-3].
 struct Spinodals {
     double vapour;
@@ -42,7 +47,8 @@ struct Coexistence {
 };
 
 /// Coexistence at a temperature: the root of mu_liquid(p) - mu_vapour(p) between the pressures at the spinodals. Empty
-/// at and above the critical temperature.
+/// at and above the critical temperature, and so near below it that rounding hides the difference of the phases: from
+/// 1 - T/T_c = 1e-12 on they have two digits of it and more (johnson1993, which rounds more: from 3e-10 on).
 /// @pre temperature > 0
 /// @throws PhysicsError if the equation has no coexistence: far below the triple point
 [[nodiscard]] std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature);

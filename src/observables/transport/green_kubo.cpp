@@ -7,7 +7,6 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index windows_for_an_error = 8;
 constexpr double change_without_error = 0.05;  // fraction of the integral
 constexpr double rounding = 1e-12;             // fraction of the integral, for series without fluctuations
 
@@ -35,7 +34,7 @@ bool frames_are_close(const Estimate& integral, double change) {
 }
 
 ObservableAverage green_kubo_integral(ObservableAverage integral, double change) {
-    Estimate& estimate = integral.estimate.value();
+    const Estimate& estimate = integral.estimate.value();
     const bool unknown = !std::isfinite(estimate.standard_error);
     if (!frames_are_close(estimate, change) ||
         (unknown && !(std::abs(change) <= change_without_error * std::abs(estimate.mean)))) {
@@ -43,9 +42,6 @@ ObservableAverage green_kubo_integral(ObservableAverage integral, double change)
         integral.remark = "configurations are too far apart in time: with every second one the integral is another";
         return integral;
     }
-    const auto windows = static_cast<double>(estimate.samples);
-    estimate.converged = estimate.converged ||
-                         (estimate.samples >= windows_for_an_error && estimate.independent_samples > 0.5 * windows);
     return integral;
 }
 

@@ -9,6 +9,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
+#include "ljmd/observables/transport/overlapping_origins.hpp"
 
 namespace ljmd {
 
@@ -94,11 +95,11 @@ std::vector<ObservableAverage> MeanSquareDisplacement::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    ObservableAverage diffusion{"diffusion", "D", "sigma^2/tau", means_.estimate(lags_.count + 1)};
     if (atoms_ == 1) {
-        diffusion = {"diffusion", "D", "sigma^2/tau", std::nullopt, moves_with_centre};
+        return {{"diffusion", "D", "sigma^2/tau", std::nullopt, moves_with_centre}};
     }
-    return {diffusion};
+    const double independent = independent_origins(slope_, frames_between_origins_, means_.samples());
+    return {{"diffusion", "D", "sigma^2/tau", overlapping_estimate(means_, lags_.count + 1, independent)}};
 }
 
 void MeanSquareDisplacement::archive(Archive& a) {

@@ -38,9 +38,8 @@ TEST_CASE("an integral that changes by more than its error with every second fra
     CHECK_FALSE(green_kubo_integral(integral(2.0, std::nan(""), 2, std::nan("")), 0.11).estimate.has_value());
 }
 
-TEST_CASE("eight windows carry an error bar, unless they know of each other") {
-    CHECK(green_kubo_integral(integral(2.0, 0.1, 8, 8.0), 0.0).estimate->converged);
-    CHECK_FALSE(green_kubo_integral(integral(2.0, 0.1, 7, 7.0), 0.0).estimate->converged);
-    CHECK_FALSE(green_kubo_integral(integral(2.0, 0.1, 30, 12.0), 0.0).estimate->converged);
+TEST_CASE("an integral over few windows is marked as every series is") {
+    CHECK_FALSE(green_kubo_integral(integral(2.0, 0.1, 8, 8.0, false), 0.0).estimate->converged);
+    CHECK_FALSE(green_kubo_integral(integral(2.0, 0.1, 30, 12.0, false), 0.0).estimate->converged);
     CHECK(green_kubo_integral(integral(2.0, 0.1, 300, 100.0, true), 0.0).estimate->converged);
 }

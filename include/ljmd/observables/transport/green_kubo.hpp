@@ -21,8 +21,8 @@ namespace ljmd {
 /// Turn an integral over windows into an observable. It has a remark instead of a value if frames are too far apart;
 /// without a standard error, if using every second frame changes the integral by more than 5 %.
 ///
-/// Windows are twice as long as the largest time, so that they are nearly independent. With eight of them the error is
-/// known to 27 %, and the integral counts as converged.
+/// Windows are twice as long as the largest time, so that they are nearly independent. The error is a guess by the rule
+/// for all series (BlockingAccumulator): with fewer than 16 independent ones.
 [[nodiscard]] ObservableAverage green_kubo_integral(ObservableAverage integral, double change);
 
 }  // namespace ljmd

@@ -12,7 +12,8 @@ namespace ljmd {
 ///
 /// Positions are unwrapped and relative to the centre of mass (centre_frame.hpp). Time origins t0 are equally spaced,
 /// `origins` of them within the largest time. The slope is that of the least-squares line from fit_start to the largest
-/// time, for each origin. Standard errors by block averaging over origins, which overlap in time.
+/// time, for each origin. Standard errors of msd by block averaging over origins, that of D by their known overlap, see
+/// overlapping_origins.hpp.
 ///
 /// Table `msd`: time [tau], msd [sigma^2], its error. Observable: diffusion.
 /// Memory: 24 bytes per atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4
