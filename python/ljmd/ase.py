@@ -34,12 +34,6 @@ def units(substance: dict = ARGON) -> tuple:
     return _core.substance(deck._loaded())
 
 
-def _positive(value, name: str) -> float:
-    if isinstance(value, (bool, str)) or not np.isscalar(value) or not 0 < value < np.inf:
-        raise InputError(f"{name}: {value!r} is not allowed: a finite number above 0")
-    return float(value)
-
-
 def _edges(atoms) -> np.ndarray:
     """Edges of the box [angstrom]. Raises InputError for atoms that ljmd cannot move."""
     if len(atoms) == 0:
@@ -96,18 +90,18 @@ class Calculator(_AseCalculator):
 
     def _made(self) -> Evaluator:
         p = self.parameters
-        sigma = _positive(p["sigma"], "sigma")
-        _positive(p["epsilon"], "epsilon")
+        sigma = _check.positive(p["sigma"], "sigma")
+        _check.positive(p["epsilon"], "epsilon")
         options = {key: p[key] for key in ("threads", "simd", "precision")}
         if isinstance(p["potential"], Pair):
             if p["cutoff"] is not None or p["parameters_of_potential"]:
                 raise InputError("an ljmd.Pair brings its own cutoff, truncation and parameters")
             return Evaluator(p["potential"], **options)
-        cutoff = 3 * sigma if p["cutoff"] is None else _positive(p["cutoff"], "cutoff")
+        cutoff = 3 * sigma if p["cutoff"] is None else _check.positive(p["cutoff"], "cutoff")
         table = {"type": p["potential"], "truncation": p["truncation"], "tail": p["tail"], "cutoff": cutoff / sigma,
                  **p["parameters_of_potential"]}
         if p["switch_start"] is not None:
-            table["switch_start"] = _positive(p["switch_start"], "switch_start") / sigma
+            table["switch_start"] = _check.positive(p["switch_start"], "switch_start") / sigma
         return Evaluator(table, **options)
 
     def set(self, **changes):
@@ -159,7 +153,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
     Positions are unwrapped where they are known so; a trajectory's are those of its file. `atoms.info` has the time [tau] where it
     is known. Raises InputError for few bodies, which have no box, and DataError for a run in memory, which keeps no configuration.
     """
-    units_ = [_positive(each, name) for each, name in ((sigma, "sigma"), (epsilon, "epsilon"), (mass, "mass"))]
+    units_ = [_check.positive(each, name) for each, name in ((sigma, "sigma"), (epsilon, "epsilon"), (mass, "mass"))]
     if isinstance(what, Run):
         if what.directory is None:
             raise DataError("a run in memory keeps no configuration: take it from its ljmd.Simulation")
@@ -192,7 +186,7 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
     The mass of the atoms is the unit of mass. The motion of the centre of mass is removed when a run begins. Raises InputError
     as the calculator, and for atoms of several masses.
     """
-    sigma, epsilon = _positive(sigma, "sigma"), _positive(epsilon, "epsilon")
+    sigma, epsilon = _check.positive(sigma, "sigma"), _check.positive(epsilon, "epsilon")
     edges = edges_of(_edges(atoms) / sigma)
     masses = atoms.get_masses()
     if not (masses == masses[0]).all() or not masses[0] > 0:
@@ -203,7 +197,7 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
         raise InputError("the atoms are at rest: give a temperature, at which velocities are drawn")
     deck = Deck.fluid(file=_written(file, atoms.positions / sigma, velocities if moving else None, edges),
                       temperature=temperature, truncation=truncation,  # type: ignore[arg-type]
-                      cutoff=3.0 if cutoff is None else _positive(cutoff, "cutoff") / sigma, **options)
+                      cutoff=3.0 if cutoff is None else _check.positive(cutoff, "cutoff") / sigma, **options)
     if temperature is None:
         del deck.system["temperature"]
     return deck

@@ -310,14 +310,14 @@ class Deck:
         if pair is not None and pair.stand_in != {k: v for k, v in self["potential"].items() if v is not None}:
             raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
         name, text, settings = self._source()
-        return _core.load(name, text, settings, force, pair._core if pair is not None else None)
+        return _core.load(name, text, settings, _check.truth(force, "force"), pair._core if pair is not None else None)
 
     def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
 
         Raises InputError with every mistake and its place. `force` accepts unlikely values.
         """
-        data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), simd or "")
+        data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), _check.simd_of(simd))
         return Check(data, text, warnings)
 
     def run(self, directory=None, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, progress=True,

@@ -57,7 +57,8 @@ class Evaluator:
         if potential is not None and not isinstance(potential, (dict, Pair)):
             raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
         self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
-        self._options = (float(skin), _check.threads_of(threads), simd or "", precision)
+        self._options = (_check.number(skin, "skin"), _check.threads_of(threads), _check.simd_of(simd),
+                         _check.text(precision, "precision"))
         self._core = self._made()
 
     def _made(self):
@@ -66,15 +67,11 @@ class Evaluator:
                 raise InputError("a pair potential in Python is computed in double precision")
             return _core.Evaluator(self._potential._core, *self._options[:3])
         table = dict(self._potential)
-        names = [table.pop("type"), table.pop("truncation")]
-        cutoff, switch_start = table.pop("cutoff"), table.pop("switch_start", 0.0)
-        tail = bool(table.pop("tail", False))
-        numbers = {"cutoff": cutoff, "switch_start": switch_start, **table}
-        for key, value in numbers.items():
-            if isinstance(value, (bool, str)) or not np.isscalar(value):
-                raise InputError(f"potential: {key} is {value!r}: a number is needed, in reduced units")
-        return _core.Evaluator(*names, float(cutoff), float(switch_start),
-                               [(key, float(value)) for key, value in table.items()], tail, *self._options)
+        names = [_check.text(table.pop(key), f"potential: {key}") for key in ("type", "truncation")]
+        tail = _check.truth(table.pop("tail", False), "potential: tail")
+        numbers = {key: _check.number(value, f"potential: {key}") for key, value in table.items()}
+        cutoff, switch_start = numbers.pop("cutoff"), numbers.pop("switch_start", 0.0)
+        return _core.Evaluator(*names, cutoff, switch_start, list(numbers.items()), tail, *self._options)
 
     @property
     def cutoff(self) -> float:
@@ -84,7 +81,7 @@ class Evaluator:
     def __call__(self, positions, edges, *, energies: bool = False) -> Evaluation:
         """See `ljmd.evaluate`."""
         energy, virial, pressure, forces, of_atoms = self._core.evaluate(vectors(positions, "positions"), edges_of(edges),
-                                                                         bool(energies))
+                                                                         _check.truth(energies, "energies"))
         return Evaluation(energy, forces, virial, pressure, of_atoms)
 
     def __reduce__(self):
@@ -102,22 +99,18 @@ def _evaluator_of(potential, options) -> Evaluator:
 
 def vectors(array, name: str) -> np.ndarray:
     """Vectors of atoms as an array of doubles of shape (N, 3)."""
-    try:
-        found = np.asarray(array, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: an array of numbers of shape (N, 3) is needed") from None
-    if found.ndim != 2 or found.shape[1] != 3 or np.iscomplexobj(array):
+    found = _check.real_array(array, name)
+    if found.ndim != 2 or found.shape[1] != 3:
         raise InputError(f"{name}: shape {found.shape}, (N, 3) is needed")
     return found
 
 
 def edges_of(edges) -> tuple:
     """Three edges from one number or three."""
-    try:
-        found = np.asarray(edges, dtype=float)
-        return tuple(float(edge) for edge in (np.broadcast_to(found, 3)))
-    except (TypeError, ValueError):
-        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box") from None
+    found = _check.real_array(edges, "edges")
+    if found.shape not in ((), (1,), (3,)):
+        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box")
+    return tuple(float(edge) for edge in np.broadcast_to(found, 3))
 
 
 def evaluate(positions, edges, *, potential=None, energies: bool = False, threads: int | None = None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ._check import whole
+from ._check import text, truth, whole
 from ._decorated import Decorated
 from .errors import InputError
 
@@ -30,7 +30,7 @@ class observable(Decorated):
 
     def __init__(self, function=None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
         self.every = whole(every, "every", 1)
-        self.unit, self.energy = unit, bool(energy)
+        self.unit, self.energy = text(unit, "unit"), truth(energy, "energy")
         super().__init__(function, name)
 
     def __repr__(self) -> str:

@@ -191,7 +191,7 @@ def sweep(deck, points, *, jobs=None, directory=None, progress=True, force: bool
         raise InputError("a pair potential in Python runs in memory alone: sweeps have files")
     keys, rows = _points_of(points)
     options = ["--jobs", _check.whole(jobs, "jobs", 1)] if jobs is not None else []
-    options += ["--force"] if force else []
+    options += ["--force"] if _check.truth(force, "force") else []
     temporary = None
     if directory is None:
         temporary = tempfile.TemporaryDirectory(prefix="ljmd-sweep-")

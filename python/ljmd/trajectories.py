@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from functools import partial
 
-from . import _core, _toml
+from . import _check, _core, _toml
 from .frames import Frames
 from .results import Results
 
@@ -83,6 +83,8 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
     Raises DataError for a file that cannot be used.
     """
     deck = deck.copy() if deck is not None else None
+    energies = _check.truth(energies, "energies")
+    start, time_step = (None if value is None else _check.number(value, name) for value, name in ((start, "start"), (time_step, "time_step")))
     return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))
 
 

@@ -255,6 +255,10 @@ std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cut
     } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {
         found.add_of_key({"switch_start", "cutoff"},
                          fmt::format("is {}, not below the cutoff {}", cutoff.switch_start, cutoff.radius));
+    } else if (truncation != "switched" && cutoff.switch_start != 0.0) {
+        found.add_of_key({"switch_start", "truncation"},
+                         fmt::format("has no meaning for truncation = \"{}\"", truncation),
+                         "only \"switched\" begins before the cutoff");
     }
     if (tail && !PairPotential::takes_tail(truncation)) {
         found.add_of_key({"tail", "truncation"}, fmt::format("has no meaning for truncation = \"{}\"", truncation),

@@ -172,7 +172,8 @@ class Calculators(Case):
                              ("not finite", lambda a: a.positions.__setitem__((3, 0), np.nan))):
             self.assertRaisesText(ljmd.InputError, text, of=wrong(change))
         for options in (dict(sigma=0), dict(epsilon=-1), dict(sigma="3"), dict(truncation="smooth"), dict(cutoff=np.inf),
-                        dict(depth=1.0), dict(threads=0), dict(truncation="switched"), dict(tail=True)):
+                        dict(depth=1.0), dict(threads=0), dict(truncation="switched"), dict(tail=True),
+                        dict(truncation="cut", tail="false"), dict(switch_start=2.0)):
             self.assertRaises(ljmd.InputError, ljmd.ase.Calculator, **options)
         atoms = crystal()
         atoms.calc = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
