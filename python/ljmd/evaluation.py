@@ -22,6 +22,7 @@ class Evaluation:
     virial_tensor: W_ab = sum over pairs of r_a f_b, without tail, shape (3, 3) [epsilon]
     virial_pressure: tr W/(3 V) + p_tail, the pressure of atoms at rest [epsilon/sigma^3]
     energies: by atom, half of its pairs' energies, without tail, shape (N,) [epsilon]; None unless asked for
+    pairs_too_near: number of pairs nearer than the start of the table of an `ljmd.Pair`, where the force is constant
     """
 
     potential_energy: float
@@ -29,6 +30,7 @@ class Evaluation:
     virial_tensor: np.ndarray
     virial_pressure: float
     energies: np.ndarray | None = None
+    pairs_too_near: int = 0
 
     @property
     def virial(self) -> float:
@@ -80,9 +82,11 @@ class Evaluator:
 
     def __call__(self, positions, edges, *, energies: bool = False) -> Evaluation:
         """See `ljmd.evaluate`."""
-        energy, virial, pressure, forces, of_atoms = self._core.evaluate(vectors(positions, "positions"), edges_of(edges),
-                                                                         _check.truth(energies, "energies"))
-        return Evaluation(energy, forces, virial, pressure, of_atoms)
+        energy, virial, pressure, forces, of_atoms, too_near, warning = self._core.evaluate(
+            vectors(positions, "positions"), edges_of(edges), _check.truth(energies, "energies"))
+        if warning:
+            _check.warn(warning)
+        return Evaluation(energy, forces, virial, pressure, of_atoms, too_near)
 
     def __reduce__(self):
         return _evaluator_of, (self._potential, self._options)
@@ -127,7 +131,8 @@ def evaluate(positions, edges, *, potential=None, energies: bool = False, thread
     threads, simd, precision: as in `Deck.run`
 
     The bits are those of a run that starts from these positions. For many configurations in a row: `ljmd.Evaluator`.
-    Raises InputError for wrong shapes, numbers that are not finite, and a cutoff longer than half the box.
+    Raises InputError for wrong shapes, numbers that are not finite, atoms that overlap so that their forces are not, and a cutoff
+    longer than half the box. Pairs nearer than the start of an `ljmd.Pair`'s table are counted, and are an ljmd.RunWarning.
     """
     evaluator = Evaluator(potential, threads=threads, simd=simd, precision=precision)
     return evaluator(positions, edges, energies=energies)

@@ -80,7 +80,8 @@ def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switc
     function: u(r) of an array of distances [epsilon]; called when the pair is made, never in a run
     cutoff: [sigma]
     truncation: "cut", "shifted", "force-shifted" or "switched" (with switch_start)
-    start: where the table begins, 0 if u is finite there, else 0.3 [sigma]; below it the force is constant
+    start: where the table begins, 0 if u is finite there, else 0.3 [sigma]; below it the force is constant. Samples in which pairs
+        were nearer are counted, and make a warning
     error: that the table may have, in units of 1 + |u|; a function with a kink takes a larger one
 
     Energies, pressures, errors, analyses and threads work as with the built-in potentials; a step takes about ten times
