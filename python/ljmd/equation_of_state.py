@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from . import _check, _core
@@ -11,6 +13,42 @@ from .errors import InputError
 
 class Properties:
     """Numbers by name, as attributes, in reduced units; energies per atom. None is what has no value."""
+
+    # For type checkers, which know these names and no others. Each object has some of them, a number where one state was asked for.
+    model: str
+    meaning: str
+    source: str
+    warnings: list
+    liquid: Properties
+    vapour: Properties
+    temperature: Any
+    density: Any
+    pressure: Any
+    compressibility_factor: Any
+    potential_energy: Any
+    heat_capacity_cv: Any
+    heat_capacity_cp: Any
+    speed_of_sound: Any
+    isothermal_compressibility: Any
+    thermal_expansion: Any
+    joule_thomson_coefficient: Any
+    residual_heat_capacity_cv: Any
+    residual_heat_capacity_cp: Any
+    residual_helmholtz_energy: Any
+    excess_chemical_potential: Any
+    pressure_density_slope: Any
+    pressure_temperature_slope: Any
+    second_virial_coefficient: Any
+    heat_of_vaporisation: Any
+    phase: Any
+    metastable: Any
+    lowest_temperature: Any
+    highest_temperature: Any
+    highest_density: Any
+    highest_pressure: Any
+    critical_temperature: Any
+    critical_density: Any
+    critical_pressure: Any
 
     def __init__(self, data: dict, text: str = ""):
         self.data, self.text = data, text

@@ -9,6 +9,7 @@ import numpy as np
 from . import _check, _core
 from .errors import InputError
 from .potentials import Pair
+from .tables import PotentialTable
 
 DEFAULT: dict = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
 
@@ -54,7 +55,7 @@ class Evaluator:
     order of sums of an earlier configuration: they differ in rounding from those of `ljmd.evaluate`.
     """
 
-    def __init__(self, potential=None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
+    def __init__(self, potential: PotentialTable | Pair | None = None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
                  precision: str = "double"):
         if potential is not None and not isinstance(potential, (dict, Pair)):
             raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
@@ -117,8 +118,8 @@ def edges_of(edges) -> tuple:
     return tuple(float(edge) for edge in np.broadcast_to(found, 3))
 
 
-def evaluate(positions, edges, *, potential=None, energies: bool = False, threads: int | None = None,
-             simd: str | None = None, precision: str = "double") -> Evaluation:
+def evaluate(positions, edges, *, potential: PotentialTable | Pair | None = None, energies: bool = False,
+             threads: int | None = None, simd: str | None = None, precision: str = "double") -> Evaluation:
     """Energy, forces and virial of one configuration of a fluid: periodic box, one kind of atom, no run.
 
         u = 4 (r^-12 - r^-6),  U = sum over pairs with r < cutoff,  f_i = -dU/dr_i,  W_ab = sum over pairs of r_a f_b

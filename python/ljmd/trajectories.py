@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
 from . import _check, _core, _toml
 from .frames import Frames
@@ -15,6 +17,21 @@ class Trajectory:
 
     Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
     """
+
+    # For type checkers, which know these names and no others.
+    bulk_viscosity: Callable[..., Results]
+    chemical_potential: Callable[..., Results]
+    configurational_temperature: Callable[..., Results]
+    crystal: Callable[..., Results]
+    cutoff_correction: Callable[..., Results]
+    film: Callable[..., Results]
+    msd: Callable[..., Results]
+    rdf: Callable[..., Results]
+    response_functions: Callable[..., Results]
+    structure_factor: Callable[..., Results]
+    thermal_conductivity: Callable[..., Results]
+    vacf: Callable[..., Results]
+    viscosity: Callable[..., Results]
 
     def __init__(self, open_again):
         self._open_again = open_again
@@ -54,12 +71,13 @@ class Trajectory:
     def __deepcopy__(self, memo):
         return self
 
-    def __getattr__(self, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
-        if name not in _core.build()["analyses"]:
-            raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
-        return lambda **options: self.analyze(name, **{name: options})
+    if not TYPE_CHECKING:
+        def __getattr__(self, name):
+            if name.startswith("__"):
+                raise AttributeError(name)
+            if name not in _core.build()["analyses"]:
+                raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
+            return lambda **options: self.analyze(name, **{name: options})
 
     def __dir__(self):
         return [*super().__dir__(), *_core.build()["analyses"]]
