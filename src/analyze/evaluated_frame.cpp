@@ -161,7 +161,7 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     result.tail_energy = tail.energy(result.found.density);
     result.tail_pressure = tail.pressure(result.found.density);
     result.virial_pressure = virial_pressure(state, evaluation, tail);
-    result.too_near = in_words(pairs_too_near(state, spec.potential), spec.potential);
+    result.too_near = too_near_in_words(pairs_too_near(state, spec.potential), spec.potential);
     result.energies = atom_energies(state, spec.potential);
     return result;
 }

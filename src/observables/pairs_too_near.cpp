@@ -25,7 +25,7 @@ NearPairs pairs_too_near(const State& state, const PairPotential& potential) {
     return potential.starts_at() > 0.0 ? pairs_nearer_than(state, potential.starts_at()) : NearPairs{};
 }
 
-std::string in_words(const NearPairs& too_near, const PairPotential& potential) {
+std::string too_near_in_words(const NearPairs& too_near, const PairPotential& potential) {
     if (too_near.count == 0) {
         return "";
     }

@@ -68,7 +68,7 @@ class PythonEvaluator {
             array = py::array_t<double>(static_cast<py::ssize_t>(of_atoms.size()), of_atoms.data());
         }
         return py::make_tuple(found.potential_energy, virial, found.virial_pressure, to_python(found.forces), array,
-                              found.too_near.count, in_words(found.too_near, potential_));
+                              found.too_near.count, too_near_in_words(found.too_near, potential_));
     }
 
   private:

@@ -36,10 +36,11 @@ TEST_CASE("pairs are too near below the first distance of a table, and never for
     const PairPotential formula = PairPotential::lennard_jones("shifted", {.radius = 2.5});
     CHECK(formula.starts_at() == 0.0);
     CHECK(pairs_too_near(row(), formula).count == 0);
-    CHECK(in_words(NearPairs{}, formula).empty());
-    CHECK_THAT(in_words(pairs_too_near(row(), table_from(0.7)), table_from(0.7)),
+    CHECK(too_near_in_words(NearPairs{}, formula).empty());
+    CHECK_THAT(too_near_in_words(pairs_too_near(row(), table_from(0.7)), table_from(0.7)),
                Contains("1 pair of atoms is nearer than 0.7,") && Contains("'own'") && Contains("0.6 apart"));
-    CHECK_THAT(in_words(pairs_too_near(row(), table_from(0.95)), table_from(0.95)), Contains("2 pairs of atoms are"));
+    CHECK_THAT(too_near_in_words(pairs_too_near(row(), table_from(0.95)), table_from(0.95)),
+               Contains("2 pairs of atoms are"));
 }
 
 TEST_CASE("samples with such pairs are counted, also in two parts") {

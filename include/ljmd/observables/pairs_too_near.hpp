@@ -16,7 +16,7 @@ namespace ljmd {
 [[nodiscard]] NearPairs pairs_too_near(const State& state, const PairPotential& potential);
 
 /// A sentence about such pairs of one configuration; empty if there are none.
-[[nodiscard]] std::string in_words(const NearPairs& too_near, const PairPotential& potential);
+[[nodiscard]] std::string too_near_in_words(const NearPairs& too_near, const PairPotential& potential);
 
 /// Counts such pairs in the samples of a run. What happens between two samples is not seen, but what changes the
 /// averages by more than their errors is.
