@@ -21,12 +21,14 @@ def threads_of(threads) -> int:
 
 def whole(value, name: str, least: int) -> int:
     try:
-        number = operator.index(value)
+        found = operator.index(value)
     except TypeError:
-        raise InputError(f"{name}: {value!r} is no whole number") from None
-    if number < least:
-        raise InputError(f"{name}: {number} is not allowed: {least} or more")
-    return number
+        found = None
+    if found is None or isinstance(value, bool):
+        raise InputError(f"{name}: {value!r} is no whole number")
+    if found < least:
+        raise InputError(f"{name}: {found} is not allowed: {least} or more")
+    return found
 
 
 def number(value, name: str, least: float = -math.inf, above: float = -math.inf) -> float:

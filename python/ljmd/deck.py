@@ -112,7 +112,9 @@ class Deck:
     def _put(self, name, value) -> None:
         if name == "stage":
             value = [stage if isinstance(stage, Stage) else stage_of(stage) for stage in value]
-        elif name == "analysis":
+        elif name == "analysis" and value is not None:
+            if not (isinstance(value, Mapping) and all(isinstance(options, Mapping) for options in value.values())):
+                raise InputError(f"analysis: {value!r:.60}: a table with the options of each analysis is needed, " + '{"rdf": {"bins": 200}}')
             value = Analyses({key: Table(options) for key, options in value.items()})
         elif isinstance(value, dict):
             value = Table({key: Table(each) if isinstance(each, dict) else each for key, each in value.items()})
@@ -142,10 +144,10 @@ class Deck:
     def _give_stages(self, stages: Stage | Iterable[_Assigned]) -> None:
         if isinstance(stages, Stage):
             stages = [stages]
-        stages = list(stages)
-        if not all(isinstance(stage, dict) for stage in stages):
+        given: list = list(stages) if isinstance(stages, Iterable) else [stages]
+        if not all(isinstance(stage, dict) for stage in given):
             raise InputError("stages: a list of ljmd.Stage")
-        self._put("stage", stages)
+        self._put("stage", given)
 
     stages = Attribute(_get_stages, _give_stages)
 
@@ -282,7 +284,7 @@ class Deck:
         if jobs is not None:
             raise InputError("jobs is for replicas")
         if directory is None:
-            if walltime is not None or replace:
+            if walltime is not None or _check.truth(replace, "replace"):
                 raise InputError("walltime and replace are for a run with a directory")
             simulation = Simulation(self, observables=observables, external=external, threads=threads, simd=simd, force=force)
             return simulation.run(progress=progress)

@@ -6,6 +6,7 @@ import json
 import pathlib
 import re
 import tempfile
+from collections.abc import Iterable, Mapping
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
@@ -122,7 +123,11 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
     options = ["--temperature", repr(_check.positive(temperature, "temperature"))]
     for name, value in (("density", density), ("pressure", pressure)):
         options += [] if value is None else [f"--{name}", repr(_check.number(value, name))]
-    options += ["--properties", ",".join([properties] if isinstance(properties, str) else properties)] if properties else []
+    properties = () if properties is None else properties
+    names = [properties] if isinstance(properties, str) or not isinstance(properties, Iterable) else list(properties)
+    options += ["--properties", ",".join(_check.text(name, "properties") for name in names)] if names else []
+    if not isinstance(errors, (Mapping, type(None))):
+        raise InputError(f"errors: {errors!r:.60}: a table of errors by name is needed, " + '{"energy": 0.002}')
     if errors:
         options += ["--error", ",".join(f"{name}={_check.number(error, name)!r}" for name, error in errors.items())]
     for name, number in (("atoms", atoms), ("replicas", replicas), ("max_steps", max_steps), ("seed", seed), ("jobs", jobs)):

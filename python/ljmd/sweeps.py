@@ -10,7 +10,7 @@ import os
 import pathlib
 import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
@@ -170,7 +170,7 @@ def _points_of(points) -> tuple:
             lists.append(list(values))
         rows = list(itertools.product(*lists))
     else:
-        points = list(points)
+        points = list(points) if isinstance(points, Iterable) else [points]
         if not all(isinstance(point, Mapping) for point in points):
             raise InputError('sweep: points are {"system.temperature": [1.0, 1.5]}, all combinations of the values, or a list with a '
                              'table for each point')

@@ -7,7 +7,7 @@ import copy
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Dict, Generic, TypedDict, TypeVar
 
-from . import _core
+from . import _check, _core
 from .errors import InputError
 
 
@@ -79,9 +79,9 @@ class Stage(_Known):
                            "thermostat": thermostat, "barostat": barostat}.items():
             if value is not None:
                 self[key] = value
-        if sample:
+        if _check.truth(sample, f"stage {name!r}: sample"):
             self["sample"] = True
-        if reverse:
+        if _check.truth(reverse, f"stage {name!r}: reverse"):
             self["reverse"] = True
 
     def __setitem__(self, key, value):

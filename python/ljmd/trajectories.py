@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from . import _check, _core, _toml
+from .errors import InputError
 from .frames import Frames
 from .results import Results
 
@@ -100,7 +101,12 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
 
     Raises DataError for a file that cannot be used.
     """
+    from .deck import Deck
+    if not (deck is None or isinstance(deck, Deck)):
+        raise InputError(f"deck: {deck!r:.60} is no ljmd.Deck")
     deck = deck.copy() if deck is not None else None
+    positions = None if positions is None else _check.text(positions, "positions")
+    group, xyz_comment = _check.text(group, "group"), _check.text(xyz_comment, "xyz_comment")
     energies = _check.truth(energies, "energies")
     start, time_step = (None if value is None else _check.number(value, name) for value, name in ((start, "start"), (time_step, "time_step")))
     return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))

@@ -56,7 +56,21 @@ class Refused(Case):
                     ("name", lambda: ljmd.external_force(name=None)), ("simd", lambda: small_deck().run(simd=3)),
                     ("simd", lambda: ljmd.evaluate(SITES, 7.0, simd=3)), ("precision", lambda: ljmd.evaluate(SITES, 7.0, precision=2)),
                     ("potential: type", lambda: evaluated(type=None)), ("truncation", lambda: ljmd.pair(np.exp, cutoff=2.0, truncation=None)),
-                    ("model", lambda: ljmd.eos(1.5, 0.5, model=2016))])
+                    ("model", lambda: ljmd.eos(1.5, 0.5, model=2016)), ("group", lambda: ljmd.trajectory(self.folder / "a", group=3)),
+                    ("positions", lambda: ljmd.trajectory(self.folder / "a", positions=3))])
+
+    def test_lists_and_tables_are_such(self):
+        def given(name, value):
+            deck = small_deck()
+            setattr(deck, name, value)
+
+        self.check([("observables: ", lambda value=value: small_deck().run(observables=value)) for value in (None, 3, "fastest", {"a": 1})] +
+                   [("stages", lambda value=value: given("stages", value)) for value in (None, 3, [3], "melt")] +
+                   [("analysis", lambda value=value: given("analysis", value)) for value in (3, "rdf", ["rdf"], {"rdf": 200})] +
+                   [("points", lambda: small_deck().sweep(None)), ("properties", lambda: ljmd.reference(1.0, 0.8, properties=[1])),
+                    ("a table of errors by name", lambda: ljmd.reference(1.0, 0.8, errors=0.01)), ("deck", lambda: ljmd.trajectory(self.folder / "a", deck="argon.toml")),
+                    ("sample", lambda: ljmd.Stage("all", 3, sample="no")), ("reverse", lambda: ljmd.Stage("all", 3, reverse=1)),
+                    ("threads: True is no whole number", lambda: small_deck().run(threads=True))])
 
     def test_arrays_hold_real_numbers_all_of_them(self):
         self.check([("positions: some of its numbers are masked", lambda: ljmd.evaluate(masked(SITES), 7.0)),
