@@ -234,18 +234,15 @@ class Force(_Known):
 ARGON = Table(sigma="3.405 angstrom", epsilon="119.8 K", mass="39.948 u")
 """Argon as Verlet had it in 1967: with it results are given in SI units, too."""
 
-_Got = TypeVar("_Got")
-_Given = TypeVar("_Given")
+if TYPE_CHECKING:
+    _Got = TypeVar("_Got")
+    _Given = TypeVar("_Given")
 
+    class Attribute(Generic[_Got, _Given]):
+        """A property to which more can be assigned than it returns, a dict for a table; checkers know no such property."""
 
-class Attribute(Generic[_Got, _Given]):
-    """A property to which more can be assigned than it returns: a dict for a table. Type checkers know no such property."""
-
-    def __init__(self, get: Callable[[Any], _Got], give: Callable[[Any, _Given], None]):
-        self._get, self._give, self.__doc__ = get, give, get.__doc__
-
-    def __get__(self, deck: Any, owner: Any = None) -> _Got:
-        return self if deck is None else self._get(deck)  # type: ignore[return-value]
-
-    def __set__(self, deck: Any, value: _Given) -> None:
-        self._give(deck, value)
+        def __init__(self, get: Callable[[Any], _Got], give: Callable[[Any, _Given], None]): ...
+        def __get__(self, deck: Any, owner: Any = None) -> _Got: ...
+        def __set__(self, deck: Any, value: _Given) -> None: ...
+else:
+    Attribute = property
