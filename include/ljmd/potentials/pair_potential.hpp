@@ -41,6 +41,16 @@ auto all_pairs_of(FormulaList<Formulas...>) -> decltype(std::tuple_cat(std::decl
 template <class... Pairs>
 auto variant_of(const std::tuple<Pairs...>&) -> std::variant<Pairs...>;
 
+/// Of a formula that is known by a table; 0 for others, which do not have the function.
+template <class Formula>
+auto table_start(const Formula& formula, int /*preferred*/) -> decltype(formula.table_start()) {
+    return formula.table_start();
+}
+template <class Formula>
+double table_start(const Formula& /*formula*/, long /*else*/) {
+    return 0.0;
+}
+
 template <class... Pairs>
 auto with_custom(const std::variant<Pairs...>&) -> std::variant<Pairs..., CustomPair>;
 
@@ -181,9 +191,7 @@ PairPotential PairPotential::custom(const std::string& name, const Formula& form
                                  CustomPair::of(Truncated(bare, cutoff)), CustomPair::of(bare));
         }
     });
-    if constexpr (requires { formula.table_start(); }) {
-        made.value().starts_at_ = formula.table_start();
-    }
+    made.value().starts_at_ = detail::table_start(formula, 0);
     return made.value();
 }
 
