@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it against _PLACES
     from ._core import build
     from .comparisons import Comparison
-    from .deck import ARGON, Check, Deck, Stage, Table
+    from .deck import Check, Deck
     from .equation_of_state import Properties, eos, equations
     from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
                          PhysicsError, RunWarning, ThreadsError)
@@ -41,6 +41,7 @@ if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it 
     from .results import Results, Run, open, resume  # noqa: A004, ljmd.open
     from .simulation import Arrays, Simulation
     from .sweeps import Point, Sweep, open_sweep
+    from .tables import ARGON, PotentialTable, Stage, Table
     from .trajectories import Trajectory, trajectory
 
     __version__: str
@@ -48,7 +49,7 @@ if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it 
 _PLACES = {
     "_core": ("build",),
     "comparisons": ("Comparison",),
-    "deck": ("ARGON", "Check", "Deck", "Stage", "Table"),
+    "deck": ("Check", "Deck"),
     "equation_of_state": ("Properties", "eos", "equations"),
     "errors": ("CheckpointError", "DataError", "Error", "FileError", "InputError", "InternalError", "Interrupted", "InUseError",
                "PhysicsError", "RunWarning", "ThreadsError"),
@@ -63,6 +64,7 @@ _PLACES = {
     "results": ("Results", "Run", "open", "resume"),
     "simulation": ("Arrays", "Simulation"),
     "sweeps": ("Point", "Sweep", "open_sweep"),
+    "tables": ("ARGON", "PotentialTable", "Stage", "Table"),
     "trajectories": ("Trajectory", "trajectory"),
 }
 _PLACE_OF = {name: place for place, names in _PLACES.items() for name in names}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._check import text
 from .errors import InputError
 
 
@@ -16,7 +17,7 @@ class Decorated:
     _usual_name = ""  # of a function without one
 
     def __init__(self, function, name: str):
-        self.name = name
+        self.name = text(name, "name")
         self.function = None
         if function is not None:
             self(function)

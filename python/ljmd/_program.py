@@ -33,10 +33,23 @@ def _candidates():
         yield shutil.which("ljmd")
 
 
+def _environment() -> dict:
+    """Without the variables of mpirun: the program is no rank, also where this process was started as one."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMI_", "PMIX_"))}
+
+
+def _require_one_process() -> None:
+    from . import _core
+    started = _core.launched_processes()
+    if started > 1:
+        raise InputError(f"{started} processes were started together, by mpirun or the like, and each would do the same: sweeps, "
+                         "replicas, reference values and comparisons are for one process, which starts others itself")
+
+
 @functools.lru_cache(maxsize=8)
 def _is_ours(path: str) -> bool:
     from . import _core
-    found = subprocess.run([path, "info", "--json"], capture_output=True, text=True, check=False)
+    found = subprocess.run([path, "info", "--json"], capture_output=True, text=True, check=False, env=_environment())
     try:
         about = json.loads(found.stdout)
     except ValueError:
@@ -68,8 +81,9 @@ def call(arguments, *, told=None, allowed=(0,), note: str = "", stop=signal.SIGU
 
     The interpreter is free meanwhile. Raises the error of ljmd that belongs to the exit code, with the program's text.
     """
-    with subprocess.Popen([program(), *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, encoding="utf-8", errors="replace") as process:
+    _require_one_process()
+    with subprocess.Popen([program(), *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, encoding="utf-8", errors="replace", env=_environment()) as process:
         assert process.stdout is not None and process.stderr is not None
         output = process.stdout
         printed: list = []

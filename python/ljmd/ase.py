@@ -12,18 +12,21 @@ for each, atoms are in reduced units.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from ase import Atoms
 from ase.calculators.calculator import Calculator as _AseCalculator
 from ase.calculators.calculator import all_changes
 
 from . import _check, _core
-from .deck import ARGON, Deck, Stage
+from .deck import Deck
 from .errors import DataError, InputError
 from .evaluation import Evaluator, edges_of
 from .potentials import Pair
 from .results import Run
 from .simulation import Simulation
+from .tables import ARGON, Stage
 from .trajectories import Trajectory
 
 
@@ -31,13 +34,10 @@ def units(substance: dict = ARGON) -> tuple:
     """sigma [angstrom], epsilon [eV] and mass [u] of a substance as decks have it. Raises InputError for a wrong one."""
     deck = Deck.fluid(32, 0.1, 1.0, substance=substance, cutoff=1.0)
     deck.stages = [Stage("none", 0)]
-    return _core.substance(deck._loaded())
-
-
-def _positive(value, name: str) -> float:
-    if isinstance(value, (bool, str)) or not np.isscalar(value) or not 0 < value < np.inf:
-        raise InputError(f"{name}: {value!r} is not allowed: a finite number above 0")
-    return float(value)
+    found = _core.substance(deck._loaded())
+    if found is None:
+        raise InputError("a substance is a table with sigma, epsilon and mass")
+    return found
 
 
 def _edges(atoms) -> np.ndarray:
@@ -52,7 +52,8 @@ def _edges(atoms) -> np.ndarray:
                          "atoms.pbc = True")
     cell = np.asarray(atoms.cell)
     edges = np.diag(cell)
-    if not (edges > 0).all() or not (cell == np.diag(edges)).all():
+    rounding = 1e-12 * edges.min()  # as readers of files have it
+    if not (edges > 0).all() or abs(cell - np.diag(edges)).max() > rounding:
         raise InputError(f"the cell {cell.tolist()} is not orthorhombic: ljmd has boxes with edges along x, y and z")
     return edges
 
@@ -80,7 +81,7 @@ class Calculator(_AseCalculator):
     """
 
     implemented_properties = ["energy", "energies", "free_energy", "forces", "stress"]
-    default_parameters = {"sigma": 1.0, "epsilon": 1.0, "cutoff": None, "truncation": "shifted", "switch_start": None,
+    default_parameters: dict = {"sigma": 1.0, "epsilon": 1.0, "cutoff": None, "truncation": "shifted", "switch_start": None,
                           "tail": False, "potential": "lennard-jones", "parameters_of_potential": {}, "threads": None,
                           "simd": None, "precision": "double"}
     nolabel = True
@@ -96,18 +97,18 @@ class Calculator(_AseCalculator):
 
     def _made(self) -> Evaluator:
         p = self.parameters
-        sigma = _positive(p["sigma"], "sigma")
-        _positive(p["epsilon"], "epsilon")
+        sigma = _check.positive(p["sigma"], "sigma")
+        _check.positive(p["epsilon"], "epsilon")
         options = {key: p[key] for key in ("threads", "simd", "precision")}
         if isinstance(p["potential"], Pair):
             if p["cutoff"] is not None or p["parameters_of_potential"]:
                 raise InputError("an ljmd.Pair brings its own cutoff, truncation and parameters")
             return Evaluator(p["potential"], **options)
-        cutoff = 3 * sigma if p["cutoff"] is None else _positive(p["cutoff"], "cutoff")
-        table = {"type": p["potential"], "truncation": p["truncation"], "tail": p["tail"], "cutoff": cutoff / sigma,
-                 **p["parameters_of_potential"]}
+        cutoff = 3 * sigma if p["cutoff"] is None else _check.positive(p["cutoff"], "cutoff")
+        table: Any = {"type": p["potential"], "truncation": p["truncation"], "tail": p["tail"], "cutoff": cutoff / sigma,
+                      **p["parameters_of_potential"]}
         if p["switch_start"] is not None:
-            table["switch_start"] = _positive(p["switch_start"], "switch_start") / sigma
+            table["switch_start"] = _check.positive(p["switch_start"], "switch_start") / sigma
         return Evaluator(table, **options)
 
     def set(self, **changes):
@@ -159,7 +160,9 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
     Positions are unwrapped where they are known so; a trajectory's are those of its file. `atoms.info` has the time [tau] where it
     is known. Raises InputError for few bodies, which have no box, and DataError for a run in memory, which keeps no configuration.
     """
-    units_ = [_positive(each, name) for each, name in ((sigma, "sigma"), (epsilon, "epsilon"), (mass, "mass"))]
+    sigma, epsilon, mass = _check.positive(sigma, "sigma"), _check.positive(epsilon, "epsilon"), _check.positive(mass, "mass")
+    velocities: Any
+    time: float | None
     if isinstance(what, Run):
         if what.directory is None:
             raise DataError("a run in memory keeps no configuration: take it from its ljmd.Simulation")
@@ -176,7 +179,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
     else:
         raise InputError(f"a simulation, a snapshot, a run or a trajectory is needed, found {type(what).__name__}")
     info = {} if time is None else {"time": time}
-    return _atoms_of(positions, velocities, edges, np.ones(len(positions)), *units_, symbol, info)
+    return _atoms_of(positions, velocities, edges, np.ones(len(positions)), sigma, epsilon, mass, symbol, info)
 
 
 def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: float | None = None, truncation: str = "shifted",
@@ -192,7 +195,7 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
     The mass of the atoms is the unit of mass. The motion of the centre of mass is removed when a run begins. Raises InputError
     as the calculator, and for atoms of several masses.
     """
-    sigma, epsilon = _positive(sigma, "sigma"), _positive(epsilon, "epsilon")
+    sigma, epsilon = _check.positive(sigma, "sigma"), _check.positive(epsilon, "epsilon")
     edges = edges_of(_edges(atoms) / sigma)
     masses = atoms.get_masses()
     if not (masses == masses[0]).all() or not masses[0] > 0:
@@ -203,7 +206,7 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
         raise InputError("the atoms are at rest: give a temperature, at which velocities are drawn")
     deck = Deck.fluid(file=_written(file, atoms.positions / sigma, velocities if moving else None, edges),
                       temperature=temperature, truncation=truncation,  # type: ignore[arg-type]
-                      cutoff=3.0 if cutoff is None else _positive(cutoff, "cutoff") / sigma, **options)
+                      cutoff=3.0 if cutoff is None else _check.positive(cutoff, "cutoff") / sigma, **options)
     if temperature is None:
         del deck.system["temperature"]
     return deck

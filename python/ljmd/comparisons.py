@@ -143,7 +143,7 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
 
         try:
             code, text, said = _program.call(["compare", deck_file, "--json", "--out", out, *options, *settings,
-                                           *(["--force"] if force else [])], allowed=(0, 5))
+                                           *(["--force"] if _check.truth(force, "force") else [])], allowed=(0, 5))
         except Error as error:
             raise type(error)(shown(str(error)).replace("--force", "force=True")) from None
         if not text.strip():

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import copy
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from typing import Any, TypeVar, overload
 
 from . import _check, _core, _toml
 from ._text import html_pre, html_table
@@ -15,105 +16,22 @@ from .replicas import Replicas, run_replicas
 from .results import Run
 from .simulation import Simulation
 from .sweeps import Sweep, sweep
+from .tables import (Analyses, Attribute, Force, Neighbors, Output, Performance, Potential, Stage, Substance, System, Table,
+                     stage_of)
+
+_Kind = TypeVar("_Kind")
 
 
-class Table(dict):
-    """A table of a deck: a dict whose keys are attributes, too. `del` or None leaves a key to its default."""
-
-    def __getattr__(self, name):
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"no key {name!r} is set here; set are: {', '.join(self) or 'none'}") from None
-
-    def __setattr__(self, name, value):
-        self[name] = value
-
-    def __delattr__(self, name):
-        self.pop(name, None)
-
-    def __dir__(self):
-        return [*super().__dir__(), *self]
+_Assigned = Mapping[str, Any]
 
 
-class Stage(Table):
-    """Steps of one integrator, with at most one thermostat and one barostat: a [[stage]] of a deck.
+def _table(key: str, kind: type[_Kind], meaning: str) -> Attribute[_Kind, _Assigned | None]:
+    """A table of decks as an attribute of them."""
+    def get(deck) -> _Kind:
+        return deck._table(key)
 
-    name: for results and messages
-    steps: their number; None with `until`
-    time_step: in tau
-    temperature: that the thermostat holds [epsilon/k_B]; the deck's by default
-    total_energy: (U + K)/N, tail included, to which velocities are scaled before the first step [epsilon]
-    thermostat, barostat: a name, or a table with its options: {"type": "langevin", "time": 0.5}
-    sample: whether observables are measured
-    reverse: whether the motion is reversed before the first step
-    until: ends the last stage, which is sampled, when the averages have these standard errors:
-        {"pressure": 0.005, "max_steps": 1_000_000}, in place of `steps`
-    options: of the integrator
-
-        Stage("production", 20000, sample=True)
-        Stage("production", until={"pressure": 0.005, "max_steps": 1_000_000}, sample=True)
-    """
-
-    def __init__(self, name: str, steps: int | None = None, *, until: Mapping | None = None, time_step: float = 0.004,
-                 integrator: str = "velocity-verlet", temperature=None, thermostat=None, barostat=None, sample: bool = False,
-                 reverse: bool = False, total_energy=None, **options):
-        if (steps is None) == (until is None):
-            raise InputError(f"stage {name!r}: it takes a number of steps, or `until` with errors, one of the two")
-        super().__init__()
-        for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
-                           "until": None if until is None else Table(until), "temperature": temperature, "total_energy": total_energy,
-                           "thermostat": thermostat, "barostat": barostat}.items():
-            if value is not None:
-                self[key] = value
-        if sample:
-            self["sample"] = True
-        if reverse:
-            self["reverse"] = True
-
-    def __setitem__(self, key, value):
-        if key in ("thermostat", "barostat") and isinstance(value, str):
-            value = Table(type=value)
-        super().__setitem__(key, value)
-
-    def __reduce__(self):
-        return _stage_of, (dict(self),)
-
-    def __deepcopy__(self, memo):
-        return _stage_of(copy.deepcopy(dict(self), memo))
-
-    def __repr__(self) -> str:
-        rest = "".join(f", {key}={dict(value) if isinstance(value, dict) else value!r}" for key, value in self.items()
-                       if key not in ("name", "steps"))
-        steps = f", {self['steps']}" if "steps" in self else ""
-        return f"Stage({self.get('name')!r}{steps}{rest})"
-
-
-def _stage_of(table: dict) -> Stage:
-    stage = Stage.__new__(Stage)
-    stage.update(table)
-    return stage
-
-
-class Analyses(Table):
-    """What is measured in the sampled stages: `deck.analysis.rdf(bins=200)` asks for it, `del deck.analysis["rdf"]` does not."""
-
-    def __getattr__(self, name):
-        if name.startswith("_"):
-            raise AttributeError(name)
-
-        def ask(**options):
-            self[name] = Table(options)
-
-        ask.__doc__ = f"Ask for the analysis {name!r}; its options are those of [analysis] in decks."
-        return ask
-
-    def __dir__(self):
-        return [*super().__dir__(), *_core.build()["analyses"]]
-
-
-ARGON = Table(sigma="3.405 angstrom", epsilon="119.8 K", mass="39.948 u")
-"""Argon as Verlet had it in 1967: with it results are given in SI units, too."""
+    get.__doc__ = meaning
+    return Attribute(get, lambda deck, value: deck._put(key, value))
 
 
 class Deck:
@@ -193,8 +111,10 @@ class Deck:
 
     def _put(self, name, value) -> None:
         if name == "stage":
-            value = [stage if isinstance(stage, Stage) else _stage_of(stage) for stage in value]
-        elif name == "analysis":
+            value = [stage if isinstance(stage, Stage) else stage_of(stage) for stage in value]
+        elif name == "analysis" and value is not None:
+            if not (isinstance(value, Mapping) and all(isinstance(options, Mapping) for options in value.values())):
+                raise InputError(f"analysis: {value!r:.60}: a table with the options of each analysis is needed, " + '{"rdf": {"bins": 200}}')
             value = Analyses({key: Table(options) for key, options in value.items()})
         elif isinstance(value, dict):
             value = Table({key: Table(each) if isinstance(each, dict) else each for key, each in value.items()})
@@ -217,18 +137,19 @@ class Deck:
     def title(self, text):
         self._put("title", text)
 
-    @property
-    def stages(self) -> list:
+    def _get_stages(self) -> list[Stage]:
         """What is done, one stage after the other."""
         return self._tables.setdefault("stage", [])
 
-    @stages.setter
-    def stages(self, stages):
+    def _give_stages(self, stages: Stage | Iterable[_Assigned]) -> None:
         if isinstance(stages, Stage):
             stages = [stages]
-        if not all(isinstance(stage, dict) for stage in stages):
+        given: list = list(stages) if isinstance(stages, Iterable) else [stages]
+        if not all(isinstance(stage, dict) for stage in given):
             raise InputError("stages: a list of ljmd.Stage")
-        self._put("stage", stages)
+        self._put("stage", given)
+
+    stages = Attribute(_get_stages, _give_stages)
 
     @property
     def bodies(self) -> list:
@@ -239,17 +160,24 @@ class Deck:
     def bodies(self, bodies):
         self._put("body", bodies)
 
-    @property
-    def potential(self):
+    def _get_potential(self) -> Potential:
         """How pairs of atoms interact: a table, or an `ljmd.Pair`, a function of your own."""
-        return self._pair or self._table("potential")
+        return self._table("potential") if self._pair is None else self._pair  # type: ignore[return-value]  # who gave a Pair knows it
 
-    @potential.setter
-    def potential(self, potential):
+    def _give_potential(self, potential: Pair | _Assigned | None) -> None:
         self._pair = potential if isinstance(potential, Pair) else None
         self._put("potential", self._pair.stand_in if self._pair else potential)
 
-    def _table(self, name):
+    potential = Attribute(_get_potential, _give_potential)
+    system = _table("system", System, "Atoms and box: lattice or file, density, temperature, seed.")
+    neighbors = _table("neighbors", Neighbors, "How pairs are found.")
+    performance = _table("performance", Performance, "How forces are computed: precision.")
+    output = _table("output", Output, "Files: thermo, trajectory, checkpoint.")
+    analysis = _table("analysis", Analyses, "What is measured in the sampled stages: deck.analysis.rdf(bins=200).")
+    substance = _table("argon", Substance, "A real substance, with sigma, epsilon and mass: adds SI units.")
+    force = _table("force", Force, "Of a few-body deck.")
+
+    def _table(self, name) -> Any:
         if name not in self._tables:
             self._put(name, {})
         return self._tables[name]
@@ -310,15 +238,23 @@ class Deck:
         if pair is not None and pair.stand_in != {k: v for k, v in self["potential"].items() if v is not None}:
             raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
         name, text, settings = self._source()
-        return _core.load(name, text, settings, force, pair._core if pair is not None else None)
+        return _core.load(name, text, settings, _check.truth(force, "force"), pair._core if pair is not None else None)
 
     def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
 
         Raises InputError with every mistake and its place. `force` accepts unlikely values.
         """
-        data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), simd or "")
+        data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), _check.simd_of(simd))
         return Check(data, text, warnings)
+
+    @overload
+    def run(self, directory=..., *, observables=..., external=..., threads: int | None = ..., simd: str | None = ..., progress=...,
+            replace: bool = ..., force: bool = ..., walltime=..., replicas: None = ..., jobs: None = ...) -> Run: ...
+
+    @overload
+    def run(self, directory, *, observables=..., external=..., threads: int | None = ..., simd: str | None = ..., progress=...,
+            replace: bool = ..., force: bool = ..., walltime=..., replicas: int, jobs: int | None = ...) -> Replicas: ...
 
     def run(self, directory=None, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, progress=True,
             replace: bool = False, force: bool = False, walltime=None, replicas: int | None = None,
@@ -348,7 +284,7 @@ class Deck:
         if jobs is not None:
             raise InputError("jobs is for replicas")
         if directory is None:
-            if walltime is not None or replace:
+            if walltime is not None or _check.truth(replace, "replace"):
                 raise InputError("walltime and replace are for a run with a directory")
             simulation = Simulation(self, observables=observables, external=external, threads=threads, simd=simd, force=force)
             return simulation.run(progress=progress)
@@ -441,21 +377,6 @@ class Deck:
 
 def _without_empty(tables: dict) -> dict:
     return {name: value for name, value in tables.items() if value != {} and value != []}
-
-
-def _property(name, meaning):
-    return property(lambda deck: deck._table(name), lambda deck, value: deck._put(name, value), None, meaning)
-
-
-for _name, _key, _meaning in [
-        ("system", "system", "Atoms and box: lattice or file, density, temperature, seed."),
-        ("neighbors", "neighbors", "How pairs are found."),
-        ("performance", "performance", "How forces are computed: precision."),
-        ("output", "output", "Files: thermo, trajectory, checkpoint."),
-        ("analysis", "analysis", "What is measured in the sampled stages: deck.analysis.rdf(bins=200)."),
-        ("substance", "argon", "A real substance, with sigma, epsilon and mass: adds SI units."),
-        ("force", "force", "Of a few-body deck.")]:
-    setattr(Deck, _name, _property(_key, _meaning))
 
 
 class Check:

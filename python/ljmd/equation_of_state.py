@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from . import _check, _core
@@ -11,6 +13,42 @@ from .errors import InputError
 
 class Properties:
     """Numbers by name, as attributes, in reduced units; energies per atom. None is what has no value."""
+
+    # For type checkers, which know these names and no others. Each object has some of them, a number where one state was asked for.
+    model: str
+    meaning: str
+    source: str
+    warnings: list
+    liquid: Properties
+    vapour: Properties
+    temperature: Any
+    density: Any
+    pressure: Any
+    compressibility_factor: Any
+    potential_energy: Any
+    heat_capacity_cv: Any
+    heat_capacity_cp: Any
+    speed_of_sound: Any
+    isothermal_compressibility: Any
+    thermal_expansion: Any
+    joule_thomson_coefficient: Any
+    residual_heat_capacity_cv: Any
+    residual_heat_capacity_cp: Any
+    residual_helmholtz_energy: Any
+    excess_chemical_potential: Any
+    pressure_density_slope: Any
+    pressure_temperature_slope: Any
+    second_virial_coefficient: Any
+    heat_of_vaporisation: Any
+    phase: Any
+    metastable: Any
+    lowest_temperature: Any
+    highest_temperature: Any
+    highest_density: Any
+    highest_pressure: Any
+    critical_temperature: Any
+    critical_density: Any
+    critical_pressure: Any
 
     def __init__(self, data: dict, text: str = ""):
         self.data, self.text = data, text
@@ -24,21 +62,21 @@ class Properties:
         return html_pre(repr(self))
 
 
-def _number(value, name: str, least_is_allowed: bool) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: {value!r} is no number") from None
-    if not np.isfinite(number) or number < 0 or (number == 0 and not least_is_allowed):
-        raise InputError(f"{name}: {number} is not allowed: a finite number {'>=' if least_is_allowed else '>'} 0")
-    return number
+def _given(values, name: str):
+    """An array of finite numbers above 0, for a density also 0; None: not given."""
+    if values is None:
+        return None
+    _check.not_masked(values, name)
+    found = np.asarray(values, dtype=object)
+    if found.size == 0:
+        raise InputError(f"{name}: the array is empty, there is no state to compute")
+    for value in found.flat:
+        _check.number(value, name, least=0.0) if name == "density" else _check.positive(value, name)
+    return found
 
 
-def _document(model, temperature, density, pressure) -> Properties:
+def _document(model, T, rho, p) -> Properties:
     """One point: what is None is not given."""
-    given = [None if value is None else _number(value, name, name == "density")
-             for name, value in (("temperature", temperature), ("density", density), ("pressure", pressure))]
-    T, rho, p = given
     if T is None:
         data, text = _core.saturation(model, p)
     elif p is not None:
@@ -54,9 +92,8 @@ def _document(model, temperature, density, pressure) -> Properties:
 
 def _arrays(data: list, shape: tuple) -> dict:
     """Numbers of many points as arrays, by name; what is no number is left out."""
-    first = data[0] if data else {}
-    found = {}
-    for name, value in first.items():
+    found: dict = {}
+    for name, value in data[0].items():
         each = [one[name] for one in data]
         if isinstance(value, dict):
             found[name] = _arrays(each, shape)
@@ -85,10 +122,11 @@ def eos(temperature=None, density=None, *, pressure=None, model: str = "thol2016
         raise InputError("density and pressure: the equation gives one from the other, give one of them")
     if temperature is None and (density is not None or pressure is None):
         raise InputError("eos() wants a temperature, or a pressure alone")
-    given = [None if value is None else np.asarray(value, dtype=object) for value in (temperature, density, pressure)]
+    _check.text(model, "model")
+    given = [_given(temperature, "temperature"), _given(density, "density"), _given(pressure, "pressure")]
     arrays = [value for value in given if value is not None]
     if all(value.ndim == 0 for value in arrays):
-        return _document(model, temperature, density, pressure)
+        return _document(model, *(None if value is None else value.item() for value in given))
     shape = np.broadcast_shapes(*(value.shape for value in arrays))
     columns = [np.full(shape, None, dtype=object) if value is None else np.broadcast_to(value, shape) for value in given]
     points = [_document(model, *values).data for values in zip(*(column.ravel() for column in columns))]

@@ -9,6 +9,7 @@ import numpy as np
 from . import _check, _core
 from .errors import InputError
 from .potentials import Pair
+from .tables import PotentialTable
 
 DEFAULT: dict = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
 
@@ -22,6 +23,7 @@ class Evaluation:
     virial_tensor: W_ab = sum over pairs of r_a f_b, without tail, shape (3, 3) [epsilon]
     virial_pressure: tr W/(3 V) + p_tail, the pressure of atoms at rest [epsilon/sigma^3]
     energies: by atom, half of its pairs' energies, without tail, shape (N,) [epsilon]; None unless asked for
+    pairs_too_near: number of pairs nearer than the start of the table of an `ljmd.Pair`, where the force is constant
     """
 
     potential_energy: float
@@ -29,6 +31,7 @@ class Evaluation:
     virial_tensor: np.ndarray
     virial_pressure: float
     energies: np.ndarray | None = None
+    pairs_too_near: int = 0
 
     @property
     def virial(self) -> float:
@@ -52,12 +55,13 @@ class Evaluator:
     order of sums of an earlier configuration: they differ in rounding from those of `ljmd.evaluate`.
     """
 
-    def __init__(self, potential=None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
+    def __init__(self, potential: PotentialTable | Pair | None = None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
                  precision: str = "double"):
         if potential is not None and not isinstance(potential, (dict, Pair)):
             raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
         self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
-        self._options = (float(skin), _check.threads_of(threads), simd or "", precision)
+        self._options = (_check.number(skin, "skin"), _check.threads_of(threads), _check.simd_of(simd),
+                         _check.text(precision, "precision"))
         self._core = self._made()
 
     def _made(self):
@@ -66,15 +70,11 @@ class Evaluator:
                 raise InputError("a pair potential in Python is computed in double precision")
             return _core.Evaluator(self._potential._core, *self._options[:3])
         table = dict(self._potential)
-        names = [table.pop("type"), table.pop("truncation")]
-        cutoff, switch_start = table.pop("cutoff"), table.pop("switch_start", 0.0)
-        tail = bool(table.pop("tail", False))
-        numbers = {"cutoff": cutoff, "switch_start": switch_start, **table}
-        for key, value in numbers.items():
-            if isinstance(value, (bool, str)) or not np.isscalar(value):
-                raise InputError(f"potential: {key} is {value!r}: a number is needed, in reduced units")
-        return _core.Evaluator(*names, float(cutoff), float(switch_start),
-                               [(key, float(value)) for key, value in table.items()], tail, *self._options)
+        names = [_check.text(table.pop(key), f"potential: {key}") for key in ("type", "truncation")]
+        tail = _check.truth(table.pop("tail", False), "potential: tail")
+        numbers = {key: _check.number(value, f"potential: {key}") for key, value in table.items()}
+        cutoff, switch_start = numbers.pop("cutoff"), numbers.pop("switch_start", 0.0)
+        return _core.Evaluator(*names, cutoff, switch_start, list(numbers.items()), tail, *self._options)
 
     @property
     def cutoff(self) -> float:
@@ -83,9 +83,11 @@ class Evaluator:
 
     def __call__(self, positions, edges, *, energies: bool = False) -> Evaluation:
         """See `ljmd.evaluate`."""
-        energy, virial, pressure, forces, of_atoms = self._core.evaluate(vectors(positions, "positions"), edges_of(edges),
-                                                                         bool(energies))
-        return Evaluation(energy, forces, virial, pressure, of_atoms)
+        energy, virial, pressure, forces, of_atoms, too_near, warning = self._core.evaluate(
+            vectors(positions, "positions"), edges_of(edges), _check.truth(energies, "energies"))
+        if warning:
+            _check.warn(warning)
+        return Evaluation(energy, forces, virial, pressure, of_atoms, too_near)
 
     def __reduce__(self):
         return _evaluator_of, (self._potential, self._options)
@@ -102,26 +104,22 @@ def _evaluator_of(potential, options) -> Evaluator:
 
 def vectors(array, name: str) -> np.ndarray:
     """Vectors of atoms as an array of doubles of shape (N, 3)."""
-    try:
-        found = np.asarray(array, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: an array of numbers of shape (N, 3) is needed") from None
-    if found.ndim != 2 or found.shape[1] != 3 or np.iscomplexobj(array):
+    found = _check.real_array(array, name)
+    if found.ndim != 2 or found.shape[1] != 3:
         raise InputError(f"{name}: shape {found.shape}, (N, 3) is needed")
     return found
 
 
 def edges_of(edges) -> tuple:
     """Three edges from one number or three."""
-    try:
-        found = np.asarray(edges, dtype=float)
-        return tuple(float(edge) for edge in (np.broadcast_to(found, 3)))
-    except (TypeError, ValueError):
-        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box") from None
+    found = _check.real_array(edges, "edges")
+    if found.shape not in ((), (1,), (3,)):
+        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box")
+    return tuple(float(edge) for edge in np.broadcast_to(found, 3))
 
 
-def evaluate(positions, edges, *, potential=None, energies: bool = False, threads: int | None = None,
-             simd: str | None = None, precision: str = "double") -> Evaluation:
+def evaluate(positions, edges, *, potential: PotentialTable | Pair | None = None, energies: bool = False,
+             threads: int | None = None, simd: str | None = None, precision: str = "double") -> Evaluation:
     """Energy, forces and virial of one configuration of a fluid: periodic box, one kind of atom, no run.
 
         u = 4 (r^-12 - r^-6),  U = sum over pairs with r < cutoff,  f_i = -dU/dr_i,  W_ab = sum over pairs of r_a f_b
@@ -134,7 +132,8 @@ def evaluate(positions, edges, *, potential=None, energies: bool = False, thread
     threads, simd, precision: as in `Deck.run`
 
     The bits are those of a run that starts from these positions. For many configurations in a row: `ljmd.Evaluator`.
-    Raises InputError for wrong shapes, numbers that are not finite, and a cutoff longer than half the box.
+    Raises InputError for wrong shapes, numbers that are not finite, atoms that overlap so that their forces are not, and a cutoff
+    longer than half the box. Pairs nearer than the start of an `ljmd.Pair`'s table are counted, and are an ljmd.RunWarning.
     """
     evaluator = Evaluator(potential, threads=threads, simd=simd, precision=precision)
     return evaluator(positions, edges, energies=energies)

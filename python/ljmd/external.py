@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._check import truth
 from ._decorated import Decorated
 
 
@@ -35,7 +36,7 @@ class external_force(Decorated):
     _kind, _argument, _usual_name = "an external force", "the positions", "external force"
 
     def __init__(self, function=None, *, energy: bool = False, virial: bool = False, name: str = ""):
-        self.energy, self.virial = bool(energy), bool(virial)
+        self.energy, self.virial = truth(energy, "energy"), truth(virial, "virial")
         super().__init__(function, name)
 
     def __repr__(self) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ._check import whole
+from collections.abc import Iterable
+
+from ._check import text, truth, whole
 from ._decorated import Decorated
 from .errors import InputError
 
@@ -30,7 +32,7 @@ class observable(Decorated):
 
     def __init__(self, function=None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
         self.every = whole(every, "every", 1)
-        self.unit, self.energy = unit, bool(energy)
+        self.unit, self.energy = text(unit, "unit"), truth(energy, "energy")
         super().__init__(function, name)
 
     def __repr__(self) -> str:
@@ -41,6 +43,8 @@ def described(observables) -> list:
     """For the engine: (name, unit, function, every, energy) of each. Plain functions get the defaults."""
     if callable(observables):
         observables = [observables]
+    if isinstance(observables, (str, bytes, dict)) or not isinstance(observables, Iterable):
+        raise InputError(f"observables: {observables!r:.60}: a list of functions of a snapshot is needed")
     all_of = [observable.of(each) for each in observables]
     names = [each.name for each in all_of]
     for each in all_of:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import _core
+from . import _check, _core
 from .errors import InputError
 
 _MOST_PIECES = 4096
@@ -52,7 +52,7 @@ class Pair:
         return table
 
     def _values(self, r, which):
-        r = np.asarray(r, dtype=float)
+        r = _check.real_array(r, "distances")
         return self._core.values(r.ravel(), True)[which].reshape(r.shape)
 
     def __call__(self, r):
@@ -65,7 +65,7 @@ class Pair:
 
     def second_virial(self, temperature: float) -> float:
         """B2(T) = -2 pi int (exp(-u/T) - 1) r^2 dr up to the cutoff [sigma^3]."""
-        return self._core.second_virial(temperature)
+        return self._core.second_virial(_check.positive(temperature, "temperature"))
 
     def __repr__(self) -> str:
         first, energies = self._table
@@ -80,7 +80,8 @@ def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switc
     function: u(r) of an array of distances [epsilon]; called when the pair is made, never in a run
     cutoff: [sigma]
     truncation: "cut", "shifted", "force-shifted" or "switched" (with switch_start)
-    start: where the table begins, 0 if u is finite there, else 0.3 [sigma]; below it the force is constant
+    start: where the table begins, 0 if u is finite there, else 0.3 [sigma]; below it the force is constant. Samples in which pairs
+        were nearer are counted, and make a warning
     error: that the table may have, in units of 1 + |u|; a function with a kink takes a larger one
 
     Energies, pressures, errors, analyses and threads work as with the built-in potentials; a step takes about ten times
@@ -91,9 +92,10 @@ def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switc
                                  start=start, error=error)
     if not callable(function):
         raise InputError(f"a pair potential is a function u(r), found {function!r}")
-    name = name or getattr(function, "__name__", "pair").replace("<lambda>", "pair")
-    cutoff = _positive(cutoff, "cutoff")
-    first = _start(function, name, cutoff) if start is None else float(start)
+    name = _check.text(name, "name") or getattr(function, "__name__", "pair").replace("<lambda>", "pair")
+    cutoff, error = _check.positive(cutoff, "cutoff"), _check.positive(error, "error")
+    switch_start = None if switch_start is None else _check.positive(switch_start, "switch_start")
+    first = _start(function, name, cutoff) if start is None else _check.number(start, "start", 0.0)
     pieces = 64
     coarse = _Table(function, name, first, cutoff, pieces // 2)
     while True:
@@ -106,13 +108,7 @@ def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switc
                              f"r = {where:.4g}, more than {error:.1e}: it has a kink or a jump there, or a larger `start` or "
                              "`error` is to be given")
         coarse, pieces = fine, 2 * pieces
-    return Pair(name, first, cutoff, fine.energies, truncation, switch_start, found, fine.error_of_force(coarse))
-
-
-def _positive(value, name) -> float:
-    if not isinstance(value, (int, float, np.number)) or not 0 < value < 1e6:
-        raise InputError(f"{name}: {value!r} is not allowed: a number above 0")
-    return float(value)
+    return Pair(name, first, cutoff, fine.energies, _check.text(truncation, "truncation"), switch_start, found, fine.error_of_force(coarse))
 
 
 def _evaluated(function, name, r):
@@ -123,8 +119,8 @@ def _evaluated(function, name, r):
         except (TypeError, ValueError):
             u = [function(float(x)) for x in r]
         try:
-            u = np.broadcast_to(np.asarray(u, dtype=float), r.shape)
-        except (TypeError, ValueError):
+            u = np.broadcast_to(_check.real_array(u, name), r.shape)
+        except ValueError:  # an InputError is one
             raise InputError(f"pair potential {name!r}: of an array of {len(r)} distances it returned {u!r:.60}, not an "
                              "energy for each") from None
     return np.array(u)

@@ -6,6 +6,7 @@ import json
 import pathlib
 import re
 import tempfile
+from collections.abc import Iterable, Mapping
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
@@ -119,15 +120,19 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
 
     Raises InputError for what makes no sense, PhysicsError for states that cannot be vouched for.
     """
-    options = ["--temperature", repr(float(temperature))]
-    for name, value in (("--density", density), ("--pressure", pressure)):
-        options += [] if value is None else [name, repr(float(value))]
-    options += ["--properties", ",".join([properties] if isinstance(properties, str) else properties)] if properties else []
+    options = ["--temperature", repr(_check.positive(temperature, "temperature"))]
+    for name, value in (("density", density), ("pressure", pressure)):
+        options += [] if value is None else [f"--{name}", repr(_check.number(value, name))]
+    properties = () if properties is None else properties
+    names = [properties] if isinstance(properties, str) or not isinstance(properties, Iterable) else list(properties)
+    options += ["--properties", ",".join(_check.text(name, "properties") for name in names)] if names else []
+    if not isinstance(errors, (Mapping, type(None))):
+        raise InputError(f"errors: {errors!r:.60}: a table of errors by name is needed, " + '{"energy": 0.002}')
     if errors:
-        options += ["--error", ",".join(f"{name}={float(error)!r}" for name, error in errors.items())]
+        options += ["--error", ",".join(f"{name}={_check.number(error, name)!r}" for name, error in errors.items())]
     for name, number in (("atoms", atoms), ("replicas", replicas), ("max_steps", max_steps), ("seed", seed), ("jobs", jobs)):
         options += [] if number is None else [f"--{name.replace('_', '-')}", str(_check.whole(number, name, 0))]
-    options += [*(["--metastable"] if metastable else []), *(["--force"] if force else [])]
+    options += [f"--{name}" for name, wanted in (("metastable", metastable), ("force", force)) if _check.truth(wanted, name)]
     if progress is not None and not callable(progress):
         raise InputError(f"progress: {progress!r} cannot be called")
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:

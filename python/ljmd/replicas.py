@@ -60,7 +60,7 @@ def run_replicas(deck, directory, replicas: int, *, jobs=None, progress=True, re
     directory = _check.directory_of(directory)
     replicas = _check.whole(replicas, "replicas", 1)
     options = ["--jobs", _check.whole(jobs, "jobs", 1)] if jobs is not None else []
-    options += ["--force"] if force or replace else []
+    options += ["--force"] if any([_check.truth(force, "force"), _check.truth(replace, "replace")]) else []
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         deck_file, settings = deck._in_file(pathlib.Path(folder))
         with _progress.shown(progress, replicas, unit="replica") as tell:

@@ -278,7 +278,7 @@ class Run(Results):
         """See `Deck.run`."""
         from . import _core
         directory = _check.directory_of(directory)
-        options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables),
+        options = (_check.threads_of(threads), _check.simd_of(simd), _check.truth(replace, "replace"), _check.seconds_of(walltime), described(observables),
                    described_force(external))
         with _progress.shown(progress, deck.total_steps) as tell, functions.remembered(directory, observables, external):
             _core.run(deck, directory, *options, tell, _check.warn)

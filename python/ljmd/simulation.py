@@ -77,8 +77,8 @@ class Simulation:
     """
 
     def __init__(self, deck, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, force: bool = False):
-        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "", described(observables),
-                                      described_force(external), _check.warn)
+        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), _check.simd_of(simd),
+                                      described(observables), described_force(external), _check.warn)
         self._title = deck.title
         self._recorder = self._recorder_of(deck)
 

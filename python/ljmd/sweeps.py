@@ -10,7 +10,7 @@ import os
 import pathlib
 import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
@@ -170,7 +170,7 @@ def _points_of(points) -> tuple:
             lists.append(list(values))
         rows = list(itertools.product(*lists))
     else:
-        points = list(points)
+        points = list(points) if isinstance(points, Iterable) else [points]
         if not all(isinstance(point, Mapping) for point in points):
             raise InputError('sweep: points are {"system.temperature": [1.0, 1.5]}, all combinations of the values, or a list with a '
                              'table for each point')
@@ -191,7 +191,7 @@ def sweep(deck, points, *, jobs=None, directory=None, progress=True, force: bool
         raise InputError("a pair potential in Python runs in memory alone: sweeps have files")
     keys, rows = _points_of(points)
     options = ["--jobs", _check.whole(jobs, "jobs", 1)] if jobs is not None else []
-    options += ["--force"] if force else []
+    options += ["--force"] if _check.truth(force, "force") else []
     temporary = None
     if directory is None:
         temporary = tempfile.TemporaryDirectory(prefix="ljmd-sweep-")

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
-from . import _core, _toml
+from . import _check, _core, _toml
+from .errors import InputError
 from .frames import Frames
 from .results import Results
 
@@ -15,6 +18,21 @@ class Trajectory:
 
     Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
     """
+
+    # For type checkers, which know these names and no others.
+    bulk_viscosity: Callable[..., Results]
+    chemical_potential: Callable[..., Results]
+    configurational_temperature: Callable[..., Results]
+    crystal: Callable[..., Results]
+    cutoff_correction: Callable[..., Results]
+    film: Callable[..., Results]
+    msd: Callable[..., Results]
+    rdf: Callable[..., Results]
+    response_functions: Callable[..., Results]
+    structure_factor: Callable[..., Results]
+    thermal_conductivity: Callable[..., Results]
+    vacf: Callable[..., Results]
+    viscosity: Callable[..., Results]
 
     def __init__(self, open_again):
         self._open_again = open_again
@@ -54,12 +72,13 @@ class Trajectory:
     def __deepcopy__(self, memo):
         return self
 
-    def __getattr__(self, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
-        if name not in _core.build()["analyses"]:
-            raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
-        return lambda **options: self.analyze(name, **{name: options})
+    if not TYPE_CHECKING:
+        def __getattr__(self, name):
+            if name.startswith("__"):
+                raise AttributeError(name)
+            if name not in _core.build()["analyses"]:
+                raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
+            return lambda **options: self.analyze(name, **{name: options})
 
     def __dir__(self):
         return [*super().__dir__(), *_core.build()["analyses"]]
@@ -82,7 +101,14 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
 
     Raises DataError for a file that cannot be used.
     """
+    from .deck import Deck
+    if not (deck is None or isinstance(deck, Deck)):
+        raise InputError(f"deck: {deck!r:.60} is no ljmd.Deck")
     deck = deck.copy() if deck is not None else None
+    positions = None if positions is None else _check.text(positions, "positions")
+    group, xyz_comment = _check.text(group, "group"), _check.text(xyz_comment, "xyz_comment")
+    energies = _check.truth(energies, "energies")
+    start, time_step = (None if value is None else _check.number(value, name) for value, name in ((start, "start"), (time_step, "time_step")))
     return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))
 
 

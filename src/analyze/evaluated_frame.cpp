@@ -15,6 +15,7 @@
 #include "ljmd/forces/atom_energies.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/observables/pairs_too_near.hpp"
 
 namespace ljmd {
 
@@ -98,6 +99,9 @@ std::vector<std::string> remarks(const EvaluatedFrame& frame) {
     } else if (!frame.found.pressure) {
         found.emplace_back("a single atom has neither temperature nor pressure");
     }
+    if (!frame.too_near.empty()) {
+        found.push_back(frame.too_near);
+    }
     return found;
 }
 
@@ -157,6 +161,7 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     result.tail_energy = tail.energy(result.found.density);
     result.tail_pressure = tail.pressure(result.found.density);
     result.virial_pressure = virial_pressure(state, evaluation, tail);
+    result.too_near = too_near_in_words(pairs_too_near(state, spec.potential), spec.potential);
     result.energies = atom_energies(state, spec.potential);
     return result;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/forces/atom_energies.hpp"
@@ -9,6 +12,7 @@
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/pairs_too_near.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -37,6 +41,18 @@ void require_sound(const Positions& positions, const Vec3& edges) {
     if (!(edges.allFinite() && edges.minCoeff() > 0.0)) {
         throw InputError(fmt::format("edges: ({}, {}, {}): those of a box are above 0", edges[0], edges[1], edges[2]));
     }
+}
+
+/// @throws InputError for forces, energy or virial that are not finite, naming the atoms that are nearest to each other
+void require_finite(const State& state, const Evaluation& evaluation, double cutoff) {
+    if (std::isfinite(evaluation.potential_energy) && evaluation.virial.allFinite() && state.forces().allFinite()) {
+        return;
+    }
+    const NearPairs pairs = pairs_nearer_than(state, cutoff);
+    throw InputError(
+        fmt::format("positions: atoms {} and {}, counted from 0, are {:.3g} apart: they overlap, the forces between "
+                    "them are not finite",
+                    std::min(pairs.first, pairs.second), std::max(pairs.first, pairs.second), pairs.nearest));
 }
 
 /// A position in the box, on its grid.
@@ -79,12 +95,14 @@ EvaluatedConfiguration ConfigurationEvaluator::evaluate(const Positions& positio
     }
     State& state = parts_->state;
     const Evaluation evaluation = parts_->force_field.evaluate(state, Request::forces_and_energy);
+    require_finite(state, evaluation, interaction_.potential.cutoff().radius);
     const auto atoms = static_cast<double>(state.count());
     EvaluatedConfiguration result;
     result.potential_energy =
         evaluation.potential_energy / atoms + interaction_.tail.energy(atoms / state.box().volume());
     result.virial = evaluation.virial;
     result.virial_pressure = virial_pressure(state, evaluation, interaction_.tail);
+    result.too_near = pairs_too_near(state, interaction_.potential);
     result.forces.resize(3, state.count());
     const auto forces = state.forces();
     for (Index i = 0; i < state.count(); ++i) {

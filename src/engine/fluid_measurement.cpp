@@ -38,6 +38,7 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       sample_every_(spec.sample_every),
       averages_(fluid.state.total(), sampled_ensemble(spec.stages, spec.external != nullptr),
                 spec.external && spec.external->has_energy()),
+      too_near_(spec.potential),
       analysed_edges_(fluid.state.box().edges()) {
     for (Observer* observer : observers) {
         add(*observer);
@@ -65,7 +66,7 @@ void FluidMeasurement::archive(Archive& a) {
     a(fluid_.state);
     fluid_.force_field.archive(a, fluid_.state);
     a.mark("averages");
-    a(averages_, errors_reached_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_,
+    a(averages_, too_near_, errors_reached_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_,
       force_before_, search_before_);
     if (watch_) {
         a(*watch_);
@@ -120,16 +121,9 @@ void FluidMeasurement::started(const Evaluation& evaluation) {
     search_before_ = fluid_.force_field.search_statistics();
     if (total_steps(spec_.stages) == 0) {
         averages_.add(values);
+        too_near_.sample(fluid_.state);
         sample(evaluation, true);
     }
-}
-
-double FluidMeasurement::density() const {
-    return static_cast<double>(fluid_.state.total()) / fluid_.state.box().volume();
-}
-
-std::optional<double> FluidMeasurement::order() const {
-    return fluid_.order ? std::optional((*fluid_.order)(fluid_.state)) : std::nullopt;
 }
 
 /// Per atom; nothing if this stage has no conserved energy.
@@ -245,6 +239,7 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
         }
         if (stage.sample) {
             averages_.add(values);
+            too_near_.sample(state);
             step_error_.add(state, stage.time_step);
         }
     }
@@ -383,6 +378,7 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
             result.averages.push_back(std::move(*average));
         }
     }
+    result.too_near = too_near_.remark();
     add_remarks(result, spec_);
     return result;
 }

@@ -25,14 +25,12 @@ class Mistakes {
     explicit Mistakes(std::string table, std::string name = {}, std::size_t index = 0)
         : table_(std::move(table)), name_(std::move(name)), index_(index) {}
 
-    using Keys = std::vector<std::string>;
-
     /// @param sentence  the whole of it
-    void add(Keys keys, std::string sentence, std::string hint = {}) {
+    void add(std::vector<std::string> keys, std::string sentence, std::string hint = {}) {
         found_.push_back({table_, name_, index_, std::move(sentence), false, std::move(keys), std::move(hint)});
     }
     /// @param predicate  follows the name of the first key
-    void add_of_key(Keys keys, std::string predicate, std::string hint = {}) {
+    void add_of_key(std::vector<std::string> keys, std::string predicate, std::string hint = {}) {
         found_.push_back({table_, name_, index_, std::move(predicate), true, std::move(keys), std::move(hint)});
     }
     void move_to(std::vector<Mistake>& all) { std::ranges::move(found_, std::back_inserter(all)); }
@@ -227,6 +225,7 @@ std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
 
 std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail) {
     Mistakes found("potential");
+    const std::string meaningless = fmt::format("has no meaning for truncation = \"{}\"", truncation);
     if (!(cutoff.radius > 0.0 && std::isfinite(cutoff.radius))) {
         found.add({"cutoff"}, fmt::format("the cutoff is {}, it must be above 0", cutoff.radius));
     } else if (truncation == "switched" && !(cutoff.switch_start > 0.0)) {
@@ -234,9 +233,11 @@ std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cut
     } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {
         found.add_of_key({"switch_start", "cutoff"},
                          fmt::format("is {}, not below the cutoff {}", cutoff.switch_start, cutoff.radius));
+    } else if (truncation != "switched" && cutoff.switch_start != 0.0) {
+        found.add_of_key({"switch_start", "truncation"}, meaningless, "only \"switched\" begins before the cutoff");
     }
     if (tail && !PairPotential::takes_tail(truncation)) {
-        found.add_of_key({"tail", "truncation"}, fmt::format("has no meaning for truncation = \"{}\"", truncation),
+        found.add_of_key({"tail", "truncation"}, meaningless,
                          "a shifted potential is another potential: no tail makes it the full one");
     }
     return found.take();
@@ -259,13 +260,12 @@ std::vector<Mistake> search_mistakes(const NeighborSpec& neighbors, Precision pr
     if (neighbors.tile && *neighbors.tile < min_tile) {
         found.add_of_key({"tile"}, fmt::format("is {}, it must be at least {}", *neighbors.tile, min_tile));
     }
+    const std::string meaningless = fmt::format("has no meaning for method = \"{}\"", neighbors.method);
     if (neighbors.tile && !neighbors.keeps_list()) {
-        found.add_of_key({"tile", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
-                         "only a list has tiles");
+        found.add_of_key({"tile", "method"}, meaningless, "only a list has tiles");
     }
     if (neighbors.every && !neighbors.keeps_list()) {
-        found.add_of_key({"every", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
-                         "only a list is kept for some steps");
+        found.add_of_key({"every", "method"}, meaningless, "only a list is kept for some steps");
     }
     std::vector<Mistake> all = found.take();
     if (precision == Precision::mixed && !neighbors.keeps_list()) {
@@ -322,8 +322,7 @@ bool has_step(const std::string& truncation) {
 std::string step_in_words(const std::string& truncation) {
     return fmt::format(
         "truncation = \"{}\" has a step at the cutoff, whose impulses are missing in the forces; continuous are "
-        "shifted, "
-        "force-shifted and switched",
+        "shifted, force-shifted and switched",
         truncation);
 }
 

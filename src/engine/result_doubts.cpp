@@ -63,6 +63,9 @@ std::string until_doubt(const StageResult& stage) {
 /// Doubts about the results as a whole, and about stages.
 std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     std::vector<std::string> doubts;
+    if (!result.too_near.empty()) {
+        doubts.push_back(result.too_near);
+    }
     if (steps == 0) {
         return doubts;
     }

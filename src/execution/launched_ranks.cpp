@@ -34,6 +34,16 @@ int started() {
     return 0;
 }
 
+/// Rank of this process; 0 without a launcher.
+int launched_rank() {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", pmix_rank}) {
+        if (const char* text = std::getenv(name)) {
+            return std::atoi(text);
+        }
+    }
+    return 0;
+}
+
 }  // namespace
 
 std::vector<std::string> signs_of_ranks() {
@@ -47,12 +57,15 @@ std::vector<std::string> signs_of_ranks() {
 }
 
 bool is_first_launched() {
-    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", pmix_rank}) {
-        if (const char* text = std::getenv(name)) {
-            return std::atoi(text) == 0;
-        }
+    return launched_rank() == 0;
+}
+
+int launched_processes() {
+    if (signs_of_ranks().empty()) {
+        return 1;
     }
-    return true;
+    const int told = started();
+    return told > 0 ? told : launched_rank() + 1;
 }
 
 std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module) {
@@ -82,11 +95,11 @@ std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module) {
     if (!ranks) {
         throw refuse("MPI does not begin");
     }
-    if (const int expected = started(); expected > 1 && ranks->size() != expected) {
+    if (const int expected = launched_processes(); expected > 1 && ranks->size() < expected) {
         throw refuse(
             fmt::format("each of the {} is alone: its part for MPI is for another MPI than that of mpirun", expected));
     }
-    return ranks;
+    return ranks->size() > 1 ? ranks : nullptr;  // a launcher that tells no number may have started one
 }
 
 }  // namespace ljmd

@@ -9,6 +9,7 @@
 #include "ljmd/engine/configuration_evaluator.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/execution/threads.hpp"
+#include "ljmd/observables/pairs_too_near.hpp"
 #include "pair.hpp"
 
 namespace ljmd::python {
@@ -38,7 +39,7 @@ PairPotential potential_of(const std::string& formula, const std::string& trunca
 class PythonEvaluator {
   public:
     PythonEvaluator(const PairPotential& potential, bool tail, double skin, const ExecutionOptions& options)
-        : evaluator_(potential, tail, {.skin = skin}, Execution(options)) {}
+        : potential_(potential), evaluator_(potential, tail, {.skin = skin}, Execution(options)) {}
 
     /// @param energies  whether those of the atoms are wanted; else they are None
     [[nodiscard]] py::tuple evaluate(const Vectors& positions, const std::array<double, 3>& edges, bool energies) {
@@ -66,10 +67,12 @@ class PythonEvaluator {
         if (energies) {
             array = py::array_t<double>(static_cast<py::ssize_t>(of_atoms.size()), of_atoms.data());
         }
-        return py::make_tuple(found.potential_energy, virial, found.virial_pressure, to_python(found.forces), array);
+        return py::make_tuple(found.potential_energy, virial, found.virial_pressure, to_python(found.forces), array,
+                              found.too_near.count, too_near_in_words(found.too_near, potential_));
     }
 
   private:
+    PairPotential potential_;
     std::mutex busy_;
     ConfigurationEvaluator evaluator_;
 };

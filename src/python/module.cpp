@@ -8,6 +8,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
+#include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -87,6 +88,7 @@ PYBIND11_MODULE(_core, module) {
     module.doc() = "The engine of ljmd. The package `ljmd` is what programs use.";
     translate_errors();
     module.def("build", &build);
+    module.def("launched_processes", &launched_processes);
     bind_decks(module);
     bind_snapshot(module);
     bind_external_forces(module);

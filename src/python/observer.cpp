@@ -23,9 +23,15 @@ const Thermodynamics& energies(const SeenSnapshot& seen) {
     }
 }
 
-/// A number of Python or NumPy; nothing for anything else, also for text with a number.
+/// Of Python or NumPy, whose complex numbers become real with a warning that is easily missed.
+bool is_complex(const py::object& value) {
+    return PyComplex_Check(value.ptr()) != 0 ||
+           (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).equal(py::str("c")));
+}
+
+/// A real number of Python or NumPy; nothing for anything else, also for text with a number.
 std::optional<double> as_number(const py::object& value) {
-    if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 || value.is_none()) {
+    if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 || value.is_none() || is_complex(value)) {
         return std::nullopt;
     }
     const double number = PyFloat_AsDouble(value.ptr());

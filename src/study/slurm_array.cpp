@@ -49,12 +49,16 @@ struct Answer {
     std::string text;  ///< all that it printed
 };
 
-/// Run a program that ends at once.
+/// Run a program that ends at once. squeue takes filters and formats also from variables, SQUEUE_PARTITION for one,
+/// which would hide an array: it gets none of them.
 Answer answer_of(const fs::path& program, std::vector<std::string> arguments) {
     const ScratchDirectory scratch;
     const fs::path output = scratch.path() / "output";
-    const int status =
-        run_process({.program = program, .arguments = std::move(arguments), .directory = ".", .output = output});
+    const int status = run_process({.program = program,
+                                    .arguments = std::move(arguments),
+                                    .directory = ".",
+                                    .output = output,
+                                    .without = "SQUEUE_"});
     return {status, read_input(output)};
 }
 
@@ -205,7 +209,7 @@ SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std
       name_(array_name(files::canonical(directory))) {}
 
 void SlurmArray::require_none() const {
-    const auto [status, text] = answer_of(squeue_, {"--noheader", "--name=" + name_, "--format=%F %T"});
+    const auto [status, text] = answer_of(squeue_, {"--noheader", "--all", "--name=" + name_, "--format=%F %T"});
     if (status != 0) {
         throw ProcessesError(
             fmt::format("squeue fails, so it is not known whether the study is queued already. Nothing "

@@ -315,6 +315,11 @@ def submitted_by_another_path(t):
         result = t.expect(9, t.run(*REQUEST, path, *slurm, env=environment))
         t.contains(result.err, "error: array 17 of ")
         t.contains(result.err, " is queued or running. Nothing was submitted.\n")
+    # What squeue is told by variables hides no array: the real one filters by them, and so does this one.
+    squeue = t.dir / "bin" / "squeue"
+    squeue.write_text(squeue.read_text(encoding="utf-8").replace("\nfor", '\n[ -z "$SQUEUE_PARTITION$SQUEUE_STATES" ] || exit 0\nfor', 1), encoding="utf-8")
+    for variable in ("SQUEUE_PARTITION", "SQUEUE_STATES"):
+        t.expect(9, t.run(*REQUEST, "link/out", *slurm, env={**environment, variable: "a"}))
     t.run_well(*REQUEST, "link/other", *slurm, env=environment)
     t.equal(len(set(t.read("queue").split())), 2, "names of arrays")
     t.run_well(*REQUEST, "it's mine", *slurm, env=environment)

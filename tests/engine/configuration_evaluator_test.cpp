@@ -83,6 +83,10 @@ TEST_CASE("wrong configurations are refused, and the next one is evaluated") {
     CHECK_THROWS_WITH(evaluator.evaluate(r, 0.7 * edges), Contains("half the box"));
     CHECK_THROWS_WITH(evaluator.evaluate(r, -edges), Contains("above 0"));
     CHECK_THROWS_AS(evaluator.evaluate(Eigen::Matrix3Xd(3, 0), edges), InputError);
+    wrong = r;
+    wrong.col(7) = wrong.col(30) + Vec3(edges[0], 0.0, 0.0);  // one image lies on the other atom
+    CHECK_THROWS_WITH(evaluator.evaluate(wrong, edges),
+                      Contains("atoms 7 and 30, counted from 0, are 0 apart: they overlap"));
     CHECK(evaluator.evaluate(r, edges).forces == expected);
     CHECK_THROWS_AS(ConfigurationEvaluator(spec.potential, true, spec.neighbors, {}), InputError);
 }

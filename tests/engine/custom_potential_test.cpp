@@ -1,11 +1,15 @@
 // A formula of the calling program in a whole run: its own numbers are those of the same formula in the library.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/potentials/pair_table.hpp"
 #include "potentials/twelve_six.hpp"
 
 using namespace ljmd;
@@ -19,6 +23,24 @@ FluidSpec custom_spec(const std::string& search) {
     spec.potential = PairPotential::custom("twelve-six", TwelveSix{}, "force-shifted", {2.0, 0.0});
     spec.neighbors.method = search;
     return spec;
+}
+
+/// Lennard-Jones as a table from some distance on.
+FluidSpec spec_of_table(double first) {
+    const PairPotential bare = PairPotential::lennard_jones("cut", {2.0, 0.0});
+    std::vector<double> energies;
+    for (const double r : PairTable::distances(first, 2.0, 256)) {
+        energies.push_back(bare.untruncated(r).u);
+    }
+    FluidSpec spec = small_spec();
+    spec.potential = PairPotential::custom("own", PairTable(first, 2.0, energies), "force-shifted", {2.0, 0.0});
+    return spec;
+}
+
+std::vector<std::string> doubts_of_whole_run(double first) {
+    Simulation run(spec_of_table(first));
+    run.run();
+    return run.result().doubts;
 }
 
 }  // namespace
@@ -81,4 +103,22 @@ TEST_CASE("the virial of a formula of the program is the response of its energy 
     const double response = -(evaluated(1.0 + h).potential_energy - evaluated(1.0 - h).potential_energy) / (2.0 * h);
     const double virial = evaluated(1.0).virial.trace();
     CHECK(std::abs(response - virial) < 1e-6 * (std::abs(virial) + 100.0));
+}
+
+TEST_CASE("a run whose pairs come nearer than the table of its potential says so, also resumed") {
+    const auto tells = [](const std::vector<std::string>& doubts) {
+        return std::ranges::count_if(
+            doubts, [](const std::string& each) { return each.find("where the table") < each.size(); });
+    };
+    CHECK(tells(doubts_of_whole_run(0.5)) == 0);
+    const std::vector<std::string> expected = doubts_of_whole_run(1.0);
+    REQUIRE(tells(expected) == 1);
+    CHECK_THAT(expected.front(),
+               Contains("in 4 of 4 samples pairs of atoms were nearer than 1, where the table") && Contains("'own'"));
+    Simulation pieces(spec_of_table(1.0));
+    pieces.advance(43);
+    Simulation resumed(spec_of_table(1.0));
+    resumed.restore(pieces.checkpoint());
+    resumed.run();
+    CHECK(resumed.result().doubts == expected);
 }

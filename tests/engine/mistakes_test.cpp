@@ -48,6 +48,14 @@ TEST_CASE("a message that follows its key is told with the key, and with what to
     CHECK(cutoff_mistakes(2.5, Box(Vec3(8.0, 5.0, 6.0))).empty());
 }
 
+TEST_CASE("where the force is switched off is told of a switched potential alone") {
+    CHECK(potential_mistakes("switched", {.radius = 2.5, .switch_start = 2.0}, false).empty());
+    CHECK(potential_mistakes("shifted", {.radius = 2.5}, false).empty());
+    CHECK(in_words(only(potential_mistakes("shifted", {.radius = 2.5, .switch_start = 2.0}, false))) ==
+          "potential: switch_start has no meaning for truncation = \"shifted\"; only \"switched\" begins before the "
+          "cutoff");
+}
+
 TEST_CASE("only a list has mixed precision, and is kept for some steps") {
     CHECK(search_mistakes({.every = 5}, Precision::mixed).empty());
     CHECK(search_mistakes({.method = "cells"}, Precision::double_precision).empty());

@@ -27,6 +27,16 @@ TEST_CASE("a process is one of several ranks if mpirun says so, not because it i
         CHECK_THROWS_AS(launched_ranks("/nowhere/ljmd_mpi.so"), InputError);
     }
     CHECK(is_first_launched());
+    CHECK(launched_processes() == 1);
+    {
+        // Of PMIx that tells no number: the first may be alone, the second is not.
+        const test::EnvironmentGuard first("PMIX_RANK", "0");
+        CHECK(launched_processes() == 1);
+        const test::EnvironmentGuard second("PMIX_RANK", "1");
+        CHECK(launched_processes() == 2);
+        const test::EnvironmentGuard three("PMI_SIZE", "3");
+        CHECK(launched_processes() == 3);
+    }
     for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"}) {
         {
             const test::EnvironmentGuard first(name, "0");

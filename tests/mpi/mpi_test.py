@@ -346,6 +346,10 @@ def case_refused(t):
     check("it says so", int("without MPI" in done.stderr), 1, 0)
     done = t.run(0, "run", good, "--quiet", "--out", t.new(), env={**os.environ, "SLURM_NTASKS": "4", "SLURM_PROCID": "1"})
     check("variables of Slurm alone are no sign of MPI", done.returncode, 0, 0)
+    # A launcher with PMIx that starts one process, and tells its rank alone.
+    for command in (("run", good, "--quiet"), ("sweep", good, "--grid", "system.density=0.7|0.8", "--set", "stage.go.steps=5")):
+        done = t.run(0, *command, "--out", t.new(), env={**os.environ, "PMIX_RANK": "0"})
+        check(f"{command[0]} of one process that a launcher has started: exit code", done.returncode, 0, 0)
 
 
 def case_processors(t):

@@ -172,11 +172,28 @@ class Calculators(Case):
                              ("not finite", lambda a: a.positions.__setitem__((3, 0), np.nan))):
             self.assertRaisesText(ljmd.InputError, text, of=wrong(change))
         for options in (dict(sigma=0), dict(epsilon=-1), dict(sigma="3"), dict(truncation="smooth"), dict(cutoff=np.inf),
-                        dict(depth=1.0), dict(threads=0), dict(truncation="switched"), dict(tail=True)):
+                        dict(depth=1.0), dict(threads=0), dict(truncation="switched"), dict(tail=True),
+                        dict(truncation="cut", tail="false"), dict(switch_start=2.0)):
             self.assertRaises(ljmd.InputError, ljmd.ase.Calculator, **options)
         atoms = crystal()
         atoms.calc = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
         self.assertRaises(PropertyNotImplementedError, atoms.get_dipole_moment)
+
+    def test_a_cell_is_orthorhombic_up_to_rounding_as_in_files(self):
+        atoms = crystal(cells=3)
+        atoms.set_cell(np.diag(np.diag(atoms.cell)))
+        calculator = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
+        atoms.calc = calculator
+        expected = atoms.get_potential_energy()
+        turned = atoms.copy()
+        turned.set_cell(atoms.cell + 0.9e-12 * 21.2 * (1 - np.eye(3)))
+        turned.calc = calculator
+        self.assertEqual(turned.get_potential_energy(), expected)
+        deck = ljmd.ase.to_deck(turned, self.folder / "start.xyz", **ARGON, cutoff=7.9, temperature=1.0)
+        deck.stages = [ljmd.Stage("none", 0)]
+        np.testing.assert_allclose(ljmd.Simulation(deck).edges * ARGON["sigma"], np.diag(atoms.cell), rtol=1e-12)
+        turned.set_cell(atoms.cell + 1.1e-12 * 15.9 * (1 - np.eye(3)))
+        self.assertRaisesText(ljmd.InputError, "not orthorhombic", of=turned.get_potential_energy)
 
     def test_copies_and_pickles(self):
         atoms = crystal()

@@ -126,6 +126,26 @@ class Evaluations(Case):
                 ("abacus", (r, 6), dict(simd="abacus"))):
             self.assertRaisesText(ljmd.InputError, text, of=lambda: ljmd.evaluate(*arguments, **options))
 
+    def test_atoms_that_overlap_are_named_and_the_next_configuration_is_evaluated(self):
+        evaluator = ljmd.Evaluator()
+        for there in ([1, 1, 1], [9, 1, -7]):
+            self.assertRaisesText(ljmd.InputError, "atoms 0 and 2, counted from 0, are 0 apart: they overlap",
+                                  of=lambda: evaluator([[1, 1, 1], [4, 4, 4], there], 8.0))
+        found = evaluator([[1, 1, 1], [4, 4, 4], [1, 1, 1 + 2**-42]], 8.0)  # whose forces are numbers
+        np.testing.assert_allclose(found.forces[2, 2], 48 * 2.0**(42 * 13), rtol=1e-12)
+        self.assertIn("largest force 5.", repr(found))
+
+    def test_pairs_nearer_than_the_start_of_a_table_are_counted_and_warned_of(self):
+        table = ljmd.pair(lambda r: 4 * (r**-12 - r**-6), cutoff=2.5, truncation="shifted", start=0.9)
+        for near, count in ((0.95, 0), (0.85, 1), (7.15, 1)):  # the last across a wall
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                found = ljmd.evaluate([[1, 1, 1], [1 + near, 1, 1], [4, 4, 4]], 8.0, potential=table)
+            self.assertEqual(found.pairs_too_near, count)
+            self.assertEqual([str(each.message)[:41] for each in caught], ["1 pair of atoms is nearer than 0.9, where"] * count)
+            self.assertEqual([each.category for each in caught], [ljmd.RunWarning] * count)
+        self.assertEqual(ljmd.evaluate([[1, 1, 1], [1.1, 1, 1]], 8.0).pairs_too_near, 0)
+
     def test_arrays_of_any_kind_are_taken_and_not_changed(self):
         sim = moved()
         expected = ljmd.evaluate(sim.positions, sim.edges, potential=LIQUID).forces

@@ -88,6 +88,20 @@ class Runs(Case):
             self.assertAlmostEqual(found[name].mean, expected[name].mean, 7)
         self.assertEqual(own.run(progress=False).stages, found.stages, "threads change bits")
 
+    def test_pairs_nearer_than_the_start_of_the_table_are_counted_in_the_results(self):
+        def warnings_of(start, directory=None):
+            deck = small_deck(density=0.7, temperature=40.0)
+            deck.potential = ljmd.pair(lennard_jones, cutoff=2.0, truncation="shifted", start=start, name="twelve-six")
+            deck.stages = [ljmd.Stage("production", 200, time_step=0.0005, thermostat="stochastic-rescaling", sample=True)]
+            run = deck.run(directory, progress=False)
+            return [text for text in run.warnings if "where the table of the pair potential 'twelve-six' begins" in text]
+
+        self.assertEqual(warnings_of(None), [])
+        found = warnings_of(0.95)
+        self.assertEqual(len(found), 1)
+        self.assertRegex(found[0], r"in \d+ of 20 samples pairs of atoms were nearer than 0.95, .*: [\d.]+ pairs a sample, the nearest 0.\d+")
+        self.assertEqual(warnings_of(0.95, self.folder / "run"), found)
+
     def test_energy_is_conserved(self):
         deck = small_deck()
         deck.potential = ljmd.pair(lambda r: 4 * (r**-9 - r**-6), cutoff=2.0, truncation="force-shifted")

@@ -134,6 +134,16 @@ class Sweeps(Case):
             table = sweep.to_dataframe()
         np.testing.assert_array_equal(table["pressure"], sweep.to_dataframe()["pressure"])
 
+    def test_one_process_sweeps_and_several_are_told_that_they_are(self):
+        for variables in ({"OMPI_COMM_WORLD_SIZE": "2"}, {"PMI_SIZE": "2"}, {"PMIX_RANK": "1"},
+                          {"PMIX_RANK": "0", "SLURM_STEP_NUM_TASKS": "2"}):
+            with mock.patch.dict(os.environ, variables):
+                for call in (self.sweep, small_deck().compare, lambda: ljmd.reference(1.0, 0.8)):
+                    self.assertRaisesText(ljmd.InputError, "2 processes were started together", of=call)
+        for variables in ({"OMPI_COMM_WORLD_SIZE": "1"}, {"PMIX_RANK": "0"}, {"SLURM_STEP_NUM_TASKS": "2"}):
+            with mock.patch.dict(os.environ, variables):
+                self.assertTrue(self.sweep({"stage.production.steps": [10, 20]}).finished)
+
     def test_a_missing_program_is_said(self):
         with mock.patch.dict(os.environ, LJMD_PROGRAM=str(self.folder / "none")):
             self.assertRaisesText(ljmd.InputError, "LJMD_PROGRAM", of=self.sweep)

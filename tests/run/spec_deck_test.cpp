@@ -140,8 +140,8 @@ TEST_CASE("so it is with every potential, truncation and pair search") {
         for (const std::string& formula : PairPotential::formula_names()) {
             CAPTURE(formula, truncation);
             FluidSpec spec = small_spec();
-            spec.potential =
-                made_potential(formula, truncation, {1.9, 0.8 * std::numbers::phi}, {{"well_depth", 1.0 / 3.0}});
+            const double switch_start = truncation == "switched" ? 0.8 * std::numbers::phi : 0.0;
+            spec.potential = made_potential(formula, truncation, {1.9, switch_start}, {{"well_depth", 1.0 / 3.0}});
             for (const bool tail : {false, true}) {
                 spec.tail = tail && PairPotential::takes_tail(truncation);
                 check_told(spec);

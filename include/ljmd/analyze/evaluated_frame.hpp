@@ -28,6 +28,7 @@ struct EvaluatedFrame {
     double tail_energy = 0.0;      ///< per atom [epsilon], in found.potential_energy
     double tail_pressure = 0.0;    ///< [epsilon/sigma^3], in both pressures
     double virial_pressure = 0.0;  ///< tr W/(3 V) + p_tail [epsilon/sigma^3]: the pressure of atoms at rest
+    std::string too_near = {};  ///< of pairs nearer than the potential's table, see PairsTooNear; empty: there are none
     std::vector<double> energies;  ///< of each atom, half of its pairs', by id [epsilon], see atom_energies()
 };
 

@@ -6,6 +6,7 @@
 
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/neighbors/near_pairs.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
@@ -16,6 +17,7 @@ struct EvaluatedConfiguration {
     Mat3 virial = Mat3::Zero();     ///< W_ab = sum over pairs of r_a f_b [epsilon], without tail
     double virial_pressure = 0.0;   ///< tr W/(3 V) + p_tail [epsilon/sigma^3]: the pressure of atoms at rest
     Eigen::Matrix3Xd forces = {};   ///< in the order of the positions, shape (3, N) [epsilon/sigma]
+    NearPairs too_near = {};        ///< pairs where the potential's table has not begun yet, see pairs_too_near()
 };
 
 /// Evaluates configurations of a fluid that other programs move: no stages, no velocities.
@@ -36,7 +38,8 @@ class ConfigurationEvaluator {
 
     /// @param positions  shape (3, N) [sigma], N >= 1; may lie outside the box
     /// @param edges      of the box [sigma], each at least twice the cutoff
-    /// @throws InputError for wrong edges, and unless all numbers are finite and N is one that a run can have
+    /// @throws InputError for wrong edges, and unless all numbers are finite and N is one that a run can have; for
+    /// atoms that overlap, so that the forces between them are not finite
     [[nodiscard]] EvaluatedConfiguration evaluate(const Eigen::Ref<const Eigen::Matrix3Xd>& positions,
                                                   const Vec3& edges);
 

@@ -12,6 +12,7 @@
 #include "ljmd/engine/run_result.hpp"
 #include "ljmd/engine/stability.hpp"
 #include "ljmd/engine/time_loop.hpp"
+#include "ljmd/observables/pairs_too_near.hpp"
 #include "ljmd/observables/statistics/linear_trend.hpp"
 #include "ljmd/observables/statistics/run_averages.hpp"
 #include "ljmd/observables/time_step_error.hpp"
@@ -57,8 +58,12 @@ class FluidMeasurement : public RunMeasurement {
     void widen_errors(RunResult& result) const;
     void put_row(const Thermodynamics& values);
     void sample(const Evaluation& evaluation, bool always);
-    [[nodiscard]] double density() const;
-    [[nodiscard]] std::optional<double> order() const;
+    [[nodiscard]] double density() const {
+        return static_cast<double>(fluid_.state.total()) / fluid_.state.box().volume();
+    }
+    [[nodiscard]] std::optional<double> order() const {
+        return fluid_.order ? std::optional((*fluid_.order)(fluid_.state)) : std::nullopt;
+    }
     [[nodiscard]] std::optional<double> conserved_energy(const Thermodynamics& row) const;
     [[nodiscard]] PhaseSeconds phases(const LoopSeconds& loop) const;
 
@@ -68,6 +73,7 @@ class FluidMeasurement : public RunMeasurement {
     std::vector<Observer*> observers_;
     Every sample_every_;
     RunAverages averages_;
+    PairsTooNear too_near_;
     std::optional<double> order_at_sampling_;
     bool errors_reached_ = false;          ///< those that the last stage was to reach
     std::optional<StabilityWatch> watch_;  ///< for the current stage

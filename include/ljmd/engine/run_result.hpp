@@ -72,6 +72,8 @@ struct RunResult {
     Thermodynamics first;  ///< of the start
     Thermodynamics last;   ///< of the last sample
 
+    std::string too_near = {};  ///< of pairs nearer than the potential's table, see PairsTooNear; empty: none were
+
     std::vector<std::string> doubts = {};  ///< those of the warnings that no remark on an observable repeats
 
     /// The observable of this name. @throws InputError naming all, if there is none

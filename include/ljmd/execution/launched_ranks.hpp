@@ -17,6 +17,10 @@ namespace ljmd {
 /// joined, this one says.
 [[nodiscard]] bool is_first_launched();
 
+/// Number of processes that a launcher has started together, this one among them; 1 without a launcher. Where the
+/// launcher tells ranks alone, it is the least number that fits that of this process.
+[[nodiscard]] int launched_processes();
+
 /// Join the ranks that mpirun, mpiexec or srun has started, if it has started more than one.
 /// @param module  that was built with the MPI library
 /// @return null without a launcher, and if it has started one process alone

@@ -41,6 +41,16 @@ auto all_pairs_of(FormulaList<Formulas...>) -> decltype(std::tuple_cat(std::decl
 template <class... Pairs>
 auto variant_of(const std::tuple<Pairs...>&) -> std::variant<Pairs...>;
 
+/// Of a formula that is known by a table; 0 for others, which do not have the function.
+template <class Formula>
+auto table_start(const Formula& formula, int /*preferred*/) -> decltype(formula.table_start()) {
+    return formula.table_start();
+}
+template <class Formula>
+double table_start(const Formula& /*formula*/, long /*else*/) {
+    return 0.0;
+}
+
 template <class... Pairs>
 auto with_custom(const std::variant<Pairs...>&) -> std::variant<Pairs..., CustomPair>;
 
@@ -110,6 +120,10 @@ class PairPotential {
     /// Radius from which the force differs from the formula's [sigma]; the cutoff unless it is switched off before.
     [[nodiscard]] double changes_from() const { return changes_from_; }
 
+    /// Radius below which a potential that is known by a table has no values: the first distance of the table [sigma],
+    /// see PairTable. 0 for all others, and for a table that begins there.
+    [[nodiscard]] double starts_at() const { return starts_at_; }
+
     /// The formula as text, for programs that read potentials as text: u as a function of r and of the parameters by
     /// name, with definitions after semicolons. Empty for a formula of the calling program.
     [[nodiscard]] std::string expression() const;
@@ -158,6 +172,7 @@ class PairPotential {
     std::string truncation_;
     Cutoff cutoff_;
     double changes_from_;
+    double starts_at_ = 0.0;
     Pair pair_;
     Pair bare_;  ///< the formula without truncation, as Cut
 };
@@ -176,6 +191,7 @@ PairPotential PairPotential::custom(const std::string& name, const Formula& form
                                  CustomPair::of(Truncated(bare, cutoff)), CustomPair::of(bare));
         }
     });
+    made.value().starts_at_ = detail::table_start(formula, 0);
     return made.value();
 }
 

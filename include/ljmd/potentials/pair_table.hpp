@@ -29,6 +29,9 @@ class PairTable {
     /// @throws InputError  as distances(); another number of energies, or one that is not finite
     PairTable(double first, double last, const std::vector<double>& energies);
 
+    /// The first distance, see PairPotential::starts_at() [sigma].
+    [[nodiscard]] double table_start() const { return first_; }
+
     PairTerm<double> operator()(const PairDistance<double>& d) const {
         if (d.r < first_) {
             return {u_first_ + slope_first_ * (d.r - first_), -slope_first_ * d.inverse_r};

@@ -185,14 +185,18 @@ class Printer {
             print_document(frame_document(*first_, spec_, source_), json_);
         } else if (json_) {
             print_result("\n]}\n");
-        } else if (!has_velocities_) {
-            print_result("\npressure: the virial part alone where a frame has no velocities\n");
+        } else {
+            print_result(has_velocities_ ? "" : "\npressure: the virial part alone where a frame has no velocities\n");
+            print_result(too_near_.empty() ? "" : fmt::format("\n{}\n", wrapped(too_near_, screen_columns, 0)));
         }
     }
 
   private:
     void print_one(const EvaluatedFrame& frame) {
         has_velocities_ = has_velocities_ && frame.has_velocities;
+        if (too_near_.empty() && !frame.too_near.empty()) {
+            too_near_ = fmt::format("in frame {}, and maybe in later ones: {}", frame.number, frame.too_near);
+        }
         if (json_) {
             print_result((printed_ > 0 ? ",\n" : "") + to_json(frame_document(frame, spec_, source_).data));
         } else {
@@ -206,6 +210,7 @@ class Printer {
     bool json_;
     bool several_ = false;
     bool has_velocities_ = true;
+    std::string too_near_;  ///< of the first frame that has such pairs
     Index printed_ = 0;
     std::optional<EvaluatedFrame> first_;  ///< held back until it is known whether there are more
 };

@@ -59,14 +59,15 @@ bool is_of_ranks(std::string_view variable) {
 }
 
 /// The environment of this process with variables added or replaced, without those of mpirun.
-std::vector<std::string> environment_with(const Variables& added) {
+/// @param without  names that begin with this are left out, too; empty: none
+std::vector<std::string> environment_with(const Variables& added, std::string_view without = {}) {
     std::vector<std::string> result;
     for (const auto& [name, value] : added) {
         result.push_back(fmt::format("{}={}", name, value));
     }
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text(*entry);
-        bool replaced = is_of_ranks(text);
+        bool replaced = is_of_ranks(text) || (!without.empty() && text.starts_with(without));
         for (const auto& [name, value] : added) {
             replaced = replaced || text.substr(0, text.find('=')) == name;
         }
@@ -184,7 +185,7 @@ std::optional<fs::path> find_program(const std::string& name) {
 
 ChildProcess::ChildProcess(const Process& process) : name_(process.program.string()) {
     std::vector<std::string> arguments = command_line(name_, process.arguments);
-    std::vector<std::string> environment = environment_with(process.environment);
+    std::vector<std::string> environment = environment_with(process.environment, process.without);
     const Launched launched = launch(process, pointers(arguments), pointers(environment));
     id_ = launched.id;
     if (launched.error != 0) {

@@ -77,6 +77,8 @@ TEST_CASE("a program has our environment and what is added to it") {
         CHECK_THAT(said, Catch::Contains(line));
     }
     CHECK_THAT(said, !Catch::Contains("LJMD_TEST_REPLACED=ours"));
+    CHECK(run_process({.program = program, .directory = directory, .output = "less", .without = "LJMD_TEST_"}) == 0);
+    CHECK_THAT(content_of(directory / "less"), !Catch::Contains("LJMD_TEST_") && Catch::Contains("PATH="));
 }
 
 TEST_CASE("a signal that ends a program shows in its status, also one that we ignore") {

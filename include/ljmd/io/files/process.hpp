@@ -20,6 +20,7 @@ struct Process {
     std::filesystem::path directory;  ///< working directory
     std::filesystem::path output;     ///< file for its stdout and stderr; a relative path is relative to `directory`
     std::vector<std::pair<std::string, std::string>> environment{};  ///< added to the environment of this process
+    std::string without{};   ///< variables whose names begin with this are left out of the environment; empty: none
     bool own_group = false;  ///< a process group of its own: Ctrl-C does not reach it, the caller must stop it
     /// Signal sent to it (Linux only) when the thread that started it ends first, for whatever reason; 0: none.
     int at_our_end = SIGKILL;
