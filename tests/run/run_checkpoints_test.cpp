@@ -142,7 +142,8 @@ TEST_CASE("so it is with every integrator, and every thermostat of fluids, in bo
     });
 }
 
-TEST_CASE("so it is after every fourth step with every integrator under every thermostat, in both precisions", "[long]") {
+TEST_CASE("so it is after every fourth step with every integrator under every thermostat, in both precisions",
+          "[long]") {
     for (const IntegratorMethod& method : all_integrators()) {
         for (const ThermostatMethod& thermostat : all_thermostats()) {
             if (go_together(method, thermostat)) {
@@ -152,7 +153,8 @@ TEST_CASE("so it is after every fourth step with every integrator under every th
     }
 }
 
-TEST_CASE("so it is after every seventh step with two threads, every integrator and thermostat, in both precisions", "[long]") {
+TEST_CASE("so it is after every seventh step with two threads, every integrator and thermostat, in both precisions",
+          "[long]") {
     constexpr int cells = 6;  // the least that gives two threads something to share
     for_each_method([](const IntegratorMethod& method, const ThermostatMethod& thermostat) {
         check_every_step(method, thermostat, cells, 2, 7);
