@@ -132,7 +132,7 @@ class Comparisons(Case):
             waiting.until(lambda: is_within(threading.main_thread(), ljmd.Deck.compare), "the comparison has begun")
             os.kill(os.getpid(), signal.SIGINT)
 
-        thread = threading.Thread(target=interrupt)
+        thread = threading.Thread(target=interrupt, daemon=True)
         with self.assertRaises(KeyboardInterrupt):
             thread.start()
             deck.compare("openmm", steps=10**9, parts="trajectory")

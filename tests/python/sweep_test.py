@@ -168,7 +168,7 @@ class Interrupted(Case):
             waiting.until(lambda: len(rows()) == 2 and min(rows()) > 2000, "both points have rows")
             os.kill(os.getpid(), signal.SIGINT)
 
-        thread = threading.Thread(target=interrupt)
+        thread = threading.Thread(target=interrupt, daemon=True)
         thread.start()
         with self.assertRaises(KeyboardInterrupt) as caught:
             deck.sweep(points, jobs=2, directory=folder, progress=False)

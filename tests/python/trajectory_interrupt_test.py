@@ -26,7 +26,7 @@ class Analyses(Case):
                 waiting.until(lambda: is_within(threading.main_thread(), work), "the analysis has begun")
                 os.kill(os.getpid(), signal.SIGINT)
 
-            thread = threading.Thread(target=send)
+            thread = threading.Thread(target=send, daemon=True)
             with self.assertRaises(KeyboardInterrupt):
                 thread.start()
                 while True:
