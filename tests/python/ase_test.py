@@ -186,7 +186,7 @@ class Calculators(Case):
         atoms.calc = calculator
         expected = atoms.get_potential_energy()
         turned = atoms.copy()
-        turned.set_cell(atoms.cell + 0.9e-12 * 21.2 * (1 - np.eye(3)))
+        turned.set_cell(atoms.cell + 0.9e-12 * 15.9 * (1 - np.eye(3)))
         turned.calc = calculator
         self.assertEqual(turned.get_potential_energy(), expected)
         deck = ljmd.ase.to_deck(turned, self.folder / "start.xyz", **ARGON, cutoff=7.9, temperature=1.0)
