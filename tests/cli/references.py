@@ -4,7 +4,8 @@ import json
 import signal
 
 from harness import Case, snapshot
-from resumes import end, start, wait_until
+from resumes import end, start
+import waiting
 
 # A dense gas of 108 atoms, whose runs take a second.
 GAS = ("--temperature", "2", "--density", "0.5", "--atoms", "108")
@@ -64,7 +65,7 @@ def what_was_stopped_is_resumed(t):
 
     for reached, what in ((record.exists, "its canonical runs"), (lengthened, "longer ones")):
         process = start(t, "reference", *smaller, "--out", "out", "--quiet")
-        wait_until(t, reached, process, what)
+        waiting.until(reached, what, process)
         process.send_signal(signal.SIGINT)
         t.equal(end(process).code, 130, "exit code")
     t.equal(found(t, *smaller), whole, "what was found after all")

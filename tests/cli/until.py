@@ -4,7 +4,8 @@ import json
 import signal
 
 from harness import Case, check_same_run, snapshot
-from resumes import end, start, wait_until
+from resumes import end, start
+import waiting
 
 # A gas under friction and noise: its kinetic energy is soon drawn anew, so that hundreds of steps have an error.
 QUICK = (("density = 0.8442", "density = 0.05"), ("steps = 40\nsample = true",
@@ -85,8 +86,8 @@ def killed_and_resumed(t):
     t.deck(*QUICK)
     long = ("--set", "stage.production.until.temperature=0.002", "--set", "stage.production.until.max_steps=1000000")
     process = start(t, "run", "deck.toml", "--out", "out", "--set", "output.checkpoint.every=100", *long)
-    wait_until(t, lambda: (t.dir / "out/thermo.csv").exists() and (t.dir / "out/thermo.csv").stat().st_size > 100000, process,
-               "its first rows")
+    waiting.until(lambda: (t.dir / "out/thermo.csv").exists() and (t.dir / "out/thermo.csv").stat().st_size > 100000,
+                  "its first rows", process)
     process.send_signal(signal.SIGKILL)
     end(process)
     text = t.run_well("info", "out").out
@@ -206,7 +207,7 @@ def replicas_until_an_error(t):
 def replicas_that_were_killed(t):
     t.deck(("steps = 40", "steps = 20000"), ("thermo = { every = 5 }", "thermo = { every = 5 }\ncheckpoint = { every = 200 }"))
     process = start(t, "run", "deck.toml", "--out", "out", "--replicas", "2", "--jobs", "2")
-    wait_until(t, lambda: all((t.dir / f"out/points/replica-{k}/checkpoint.1").exists() for k in (1, 2)), process, "checkpoints")
+    waiting.until(lambda: all((t.dir / f"out/points/replica-{k}/checkpoint.1").exists() for k in (1, 2)), "checkpoints", process)
     process.send_signal(signal.SIGKILL)
     end(process)
     t.run_well("resume", "out", "--quiet")

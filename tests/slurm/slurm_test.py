@@ -82,7 +82,7 @@ class Bench:
         def look():
             found = [path.parent for path in self.here.dir.glob("out/points/*/checkpoint.2")]
             return found if len([one for one in found if not (one / "results.json").exists()]) >= count else None
-        return cluster.wait_until(look, f"{count} points have begun")
+        return waiting.until(look, f"{count} points have begun")
 
     def resumptions(self):
         return [json.loads(path.read_text())["resumed_at_steps"] for path in self.here.dir.glob("out/points/*/run.json")]
@@ -158,11 +158,11 @@ def a_node_down(b):
     b.cluster.command("scontrol", "update", "NodeName=n1", "State=DOWN", "Reason=test")
     b.expect(9, *LONG, *SLURM)
     b.cluster.command("scancel", array)
-    cluster.wait_until(lambda: all("COMPLETING" in task for task in b.cluster.tasks() or []), "the array is cancelled")
+    waiting.until(lambda: all("COMPLETING" in task for task in b.cluster.tasks() or []), "the array is cancelled")
     b.submit(*LONG)
     b.cluster.wait_for_tasks()
     b.cluster.start_node("n1")
-    cluster.wait_until(lambda: b.cluster.node_states() == {"n1": "idle", "n2": "idle"}, "both nodes are idle")
+    waiting.until(lambda: b.cluster.node_states() == {"n1": "idle", "n2": "idle"}, "both nodes are idle")
     b.check_gathered(*LONG)
 
 
@@ -278,7 +278,7 @@ def no_daemon_is_left(directory):
             if not of_cluster(place):
                 raise Failure("no cluster has come up")
             os.kill(inner if which == "inner" else process.pid, signal.SIGKILL if which == "inner" else signal.SIGTERM)
-            process.wait(cluster.TIME_LIMIT)
+            process.wait(waiting.PATIENCE)
         if left := of_cluster(place):
             raise Failure(f"processes are left: {left}")
 
