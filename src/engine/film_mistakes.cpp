@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ljmd {
@@ -54,25 +53,18 @@ std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, 
 }
 
 std::vector<Mistake> homogeneity_mistakes(const std::vector<ChosenAnalysis>& analyses, bool is_film) {
-    const bool measures_film =
-        std::ranges::any_of(analyses, [](const ChosenAnalysis& each) { return each.plugin.needs.film; });
     std::vector<Mistake> found;
-    const auto add = [&](const std::string& table, const std::string& name, const std::string& key,
-                         const std::string& sentence, const std::string& hint) {
-        found.push_back({table, name, 0, sentence, false, {key}, hint});
-    };
     for (const ChosenAnalysis& each : analyses) {
-        const std::string& name = each.plugin.name;
         if (each.plugin.needs.homogeneous && is_film) {
-            add("system", "", "lattice.height",
-                fmt::format(
-                    "the analysis {} is for a homogeneous fluid, and a box that is higher than its crystal holds "
-                    "a film",
-                    name),
-                "leave one of the two out");
-        } else if (each.plugin.needs.homogeneous && measures_film) {
-            add("analysis", name, "every", "it is for a homogeneous fluid, and another analysis measures a film here",
-                "leave one of the two out");
+            found.push_back({"system",
+                             "",
+                             0,
+                             fmt::format("the analysis {} is for a homogeneous fluid, and a box that is higher than "
+                                         "its crystal holds a film",
+                                         each.plugin.name),
+                             false,
+                             {"lattice.height"},
+                             "leave one of the two out"});
         }
     }
     return found;

@@ -35,10 +35,11 @@ std::string drifting(Written how, int frames, const std::string& keys = "") {
 }
 
 TrajectoryResult analyze(const std::filesystem::path& path, const std::vector<std::string>& names,
-                         AnalyzedTrajectory* used = nullptr, std::optional<Positions> said = std::nullopt) {
-    AnalyzedTrajectory trajectory{path, nullptr, summarize(path, std::nullopt, {}, said), {}};
+                         AnalyzedTrajectory* used = nullptr, std::optional<Positions> said = std::nullopt,
+                         const Deck* deck = nullptr) {
+    AnalyzedTrajectory trajectory{path, deck, summarize(path, std::nullopt, {}, said), {}};
     trajectory.selection = select_frames(trajectory.summary, std::nullopt, nullptr, std::nullopt);
-    const auto analyses = make_frame_analyses(names, {}, nullptr, trajectory.summary, trajectory.selection);
+    const auto analyses = make_frame_analyses(names, {}, deck, trajectory.summary, trajectory.selection);
     if (used != nullptr) {
         *used = trajectory;
     }
@@ -101,6 +102,22 @@ TEST_CASE("where nothing tells whether positions are wrapped, displacements want
     CHECK_THAT(wrapped.warnings.at(0), Contains("--positions wrapped: from frame to frame atoms move by up to 0.38"));
     const TrajectoryResult unwrapped = analyze(file.path(), {"msd"}, nullptr, Positions::unwrapped);
     CHECK(unwrapped.tables.at(0).rows.at(2)[1] < 0.25 * 9.0);
+}
+
+TEST_CASE("frames of a run under an external force have no diffusion, because they do not tell what the force was") {
+    const WrittenFile file(drifting(Written::unwrapped, 30));
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    const auto diffusion = [&] {
+        const TrajectoryResult result = analyze(file.path(), {"msd"}, nullptr, std::nullopt, &deck);
+        const auto found = std::ranges::find(result.averages, "diffusion", &ObservableAverage::name);
+        REQUIRE(found != result.averages.end());
+        return *found;
+    };
+    CHECK(diffusion().estimate.has_value());
+    deck.given.external = "wave";
+    CHECK_FALSE(diffusion().estimate.has_value());
+    CHECK_THAT(diffusion().remark, Contains("do not tell whether the external force 'wave' differed between atoms"));
 }
 
 TEST_CASE("an analysis that has too few frames says so") {

@@ -58,9 +58,6 @@ TEST_CASE("a film has no analysis that is for a homogeneous fluid") {
     CHECK(in_words(found) ==
           "start: the analysis viscosity is for a homogeneous fluid, and a box that is higher than its crystal holds a "
           "film; leave one of the two out");
-    CHECK(in_words(the_one(homogeneity_mistakes({analysis("film"), analysis("viscosity")}, false))) ==
-          "analysis viscosity: it is for a homogeneous fluid, and another analysis measures a film here; leave one of "
-          "the two out");
 
     FluidSpec spec = small_spec();
     spec.density = 0.8;

@@ -16,8 +16,7 @@ namespace ljmd {
 /// @pre lattice_mistakes() finds none
 [[nodiscard]] std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail);
 
-/// Analyses whose formulas are for a homogeneous fluid, in a film, or beside the analysis of one.
-/// @param is_film  whether the start is known to be one
+/// Analyses whose formulas are for a homogeneous fluid (AnalysisNeeds::homogeneous), if the start is a film.
 [[nodiscard]] std::vector<Mistake> homogeneity_mistakes(const std::vector<ChosenAnalysis>& analyses, bool is_film);
 
 }  // namespace ljmd

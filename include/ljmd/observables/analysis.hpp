@@ -78,7 +78,6 @@ struct AnalysisNeeds {
     bool continuous_potential = false;  ///< a step at the cutoff has impulses, which the forces lack
     bool constant_energy = false;       ///< sampled stages without thermostat
     bool homogeneous = false;           ///< its formula is for one phase that fills the box
-    bool film = false;                  ///< it is for liquid and vapour in one box
     bool shortest_box = true;  ///< its options are limited by SampledRun::box, which a barostat may make too small
 };
 

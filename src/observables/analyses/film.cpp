@@ -58,7 +58,7 @@ AnalysisMethod film() {
                 "the box, written to film.csv",
             .files = {"film"},
             .follows_time = false,
-            .needs = {.velocities = true, .interaction = true, .film = true},
+            .needs = {.velocities = true, .interaction = true},
             .options = [] { return std::make_unique<FilmOptions>(); }};
 }
 
