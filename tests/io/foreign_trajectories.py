@@ -136,7 +136,7 @@ def write_h5md(name, positions, velocities, edges, steps, times, *, image=None, 
         if image is not None:
             element("image", image[frames, rows])
         if ids:
-            element("id", rows + 7)
+            element("id", rows + 1)
         group["species"] = np.zeros(positions.shape[1], dtype=h5py.enum_dtype({"Ar": 0, "Kr": 1}, basetype="u1"))
         box = group.create_group("box")
         box.attrs["dimension"] = 3
