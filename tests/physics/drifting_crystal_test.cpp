@@ -39,9 +39,9 @@ TEST_CASE("a crystal keeps its order, and its atoms do not diffuse, under every 
     for (const char* name : {"langevin", "andersen", "stochastic-rescaling"}) {
         CAPTURE(name);
         const RunResult result = Simulation(crystal(name)).run();
-        CHECK(result.order_at_sampling.value() == Approx(0.93).margin(0.05));
+        CHECK(result.order_at_sampling.value() == Approx(0.96).margin(0.03));
         // T time/N = 0.0028 is the diffusion of the centre of mass.
         CHECK(std::abs(result.observable("diffusion").estimate.value().mean) < 3e-4);
-        CHECK(std::abs(result.observable("diffusion_green_kubo").estimate.value().mean) < 1e-3);
+        CHECK(std::abs(result.observable("diffusion_green_kubo").estimate.value().mean) < 2e-3);
     }
 }
