@@ -1,7 +1,8 @@
 """What error bars are worth: 60 canonical runs of a liquid that differ in their seed, and every quantity that results.json gives with an error;
-60 runs at constant energy from canonical starts, and their transport coefficients; the excess chemical potential at four densities.
+the excess chemical potential at four densities; with --long 60 runs at constant energy from canonical starts, and their transport
+coefficients.
 
-Usage: error_bars.py --ljmd PROGRAM
+Usage: error_bars.py --ljmd PROGRAM [--long]
 
 The scatter of the means over the root mean square of the errors is 1 where errors are right; 60 runs know it to 9 %, and the errors of a
 short run are themselves known to some 10 to 25 %. It must lie between 0.7 and 1.32.
@@ -101,10 +102,11 @@ def check_fluxes(ljmd: str) -> None:
     decks = [constant_energy(DECK.format(seed=seed, density=0.75, temperature=1.2, cutoff=2.5, equilibration=3000, steps=25_000,
                                          analysis=FLUXES)) for seed in range(1, SEEDS + 1)]
     runs = [observables(ljmd, deck) for deck in decks]
-    check_scatter_of([{name: run[name] for name in ("thermal_conductivity", "bulk_viscosity", "viscosity")} for run in runs])
+    # Of the 20 to 30 independent windows of such a run some have fewer than 16 by chance: these errors are marked, though right.
+    check_scatter_of([{name: run[name] for name in ("thermal_conductivity", "bulk_viscosity", "viscosity")} for run in runs], 0.25)
 
 
-def check_scatter_of(runs: list[dict[str, dict[str, float]]]) -> None:
+def check_scatter_of(runs: list[dict[str, dict[str, float]]], most_guesses: float = 0.1) -> None:
     for name in runs[0]:
         found = [run[name] for run in runs if run[name]["standard_error"] is not None]
         check(f"runs with a value, in 60: {name}", len(found), SEEDS, SEEDS / 3)
@@ -113,7 +115,7 @@ def check_scatter_of(runs: list[dict[str, dict[str, float]]]) -> None:
         reported = math.sqrt(sum(one["standard_error"] ** 2 for one in found) / len(found))
         check(f"scatter over the reported error: {name}", scatter / reported, 0.5 * (LEAST + MOST), 0.5 * (MOST - LEAST))
         guesses = sum("remark" in one for one in found)
-        check(f"errors that are said to be guesses, in 60: {name}", guesses, 0, 0.1 * SEEDS)
+        check(f"errors that are said to be guesses, in 60: {name}", guesses, 0, most_guesses * SEEDS)
 
 
 def check_insertions(ljmd: str, density: float, temperature: float) -> None:
@@ -143,12 +145,14 @@ def check_insertions(ljmd: str, density: float, temperature: float) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
+    parser.add_argument("--long", action="store_true")
     arguments = parser.parse_args()
     compute_same_bits_everywhere()
     for density, temperature in STATES:
         check_insertions(arguments.ljmd, density, temperature)
     check_scatter(arguments.ljmd)
-    check_fluxes(arguments.ljmd)
+    if arguments.long:
+        check_fluxes(arguments.ljmd)
     return exit_code()
 
 
