@@ -30,7 +30,9 @@ def main():
     failures = []
     if platform.machine() == "x86_64" and len(levels) < 2:
         failures.append(f"only {levels} can be used on an x86-64")
-    for level in (levels[0], levels[-1]) if options.ends and len(levels) > 2 else levels:
+    if options.ends:
+        levels = [levels[0], *levels[1:][-1:]]
+    for level in levels:
         environment = {**os.environ, "LJMD_SIMD": level, "OMP_NUM_THREADS": options.threads}
         result = subprocess.run([options.tests, *options.filters], capture_output=True, text=True, env=environment)
         summary = result.stdout.strip().splitlines()[-1] if result.stdout.strip() else "no output"
