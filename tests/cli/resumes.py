@@ -71,7 +71,7 @@ def stopped_while_the_start_is_made(t):
         return "--set", f'system.lattice={{type="random",atoms={atoms}}}', "--set", "stage.melt.steps=100000"
 
     process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *slow(2_000_000))
-    waiting.until_used(process, 0.2)  # of which the deck takes little, and the start takes a hundred times as much
+    waiting.until_used(process, 0.2)  # the deck takes less, making the start a hundred times as much
     process.send_signal(signal.SIGTERM)
     t.equal(end(process).code, -signal.SIGTERM, "exit code")
     t.check(not (t.dir / "out").exists(), "there is a directory")

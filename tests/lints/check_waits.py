@@ -17,7 +17,7 @@ import lint
 ALLOWED = {
     "tests/waiting.py": "the waiting itself",
     "tests/python/alarm.py": "outlasts the moments in which a function is called again, by the same clock; the rest waits by until()",
-    "tests/faults/faulty_runs.py": "kills at a random moment, of which any will do",
+    "tests/faults/faulty_runs.py": "kills at a random moment; each moment has to do",
     "tests/faults/kill_test.py": "how long a run takes, to kill another at a random moment of it",
     "tests/report/browser/harness.mjs": "the waiting itself, in a browser",
     "tests/cli/signals_test.cpp": "outlasts the second in which two signals are one, by the same clock",
