@@ -6,14 +6,23 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/deck/deck_system.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
+#include "ljmd/engine/fluid_measurement.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/response/response_functions.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "ljmd/observables/statistics/run_averages.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/results.hpp"
 
@@ -23,12 +32,12 @@ namespace {
 
 using Align = TextTable::Align;
 
-constexpr Index max_starts = 100;  // candidate start rows of a series
-/// The edges where a barostat changes each by itself.
-constexpr std::array<const char*, 7> reported{"temperature", "potential_energy", "total_energy", "pressure",
-                                              "edge_x",      "edge_y",           "edge_z"};
+/// Volume and edges where a barostat changes them.
+constexpr std::array<const char*, 8> reported{"temperature", "potential_energy", "total_energy", "pressure",
+                                              "density",     "edge_x",           "edge_y",       "edge_z"};
+constexpr std::string_view still_changing = "it still changes in the second half of the rows";
 
-Estimate blocking(const std::vector<double>& series) {
+Estimate blocking(std::span<const double> series) {
     BlockingAccumulator blocks(1, Covariance::diagonal);
     for (const double value : series) {
         blocks.add(Eigen::VectorXd::Constant(1, value));
@@ -45,28 +54,101 @@ std::optional<Index> atoms_of(const Deck& deck) {
     }
 }
 
-/// Heat capacity from the fluctuations of temperature and potential energy.
-std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Deck& deck) {
-    const auto atoms = atoms_of(deck);
-    if (!atoms) {
-        return std::nullopt;
-    }
-    RunAverages averages(*atoms, sampled_ensemble(deck.stages));
-    const std::vector<double> temperatures = column(table, "temperature");
-    const std::vector<double> energies = column(table, "potential_energy");
-    for (std::size_t k = 0; k < energies.size(); ++k) {
-        Thermodynamics row;
-        row.temperature = temperatures[k];
-        row.potential_energy = energies[k];
-        averages.add(row);
-    }
-    for (const ObservableAverage& average : averages.averages()) {
-        if (average.name == "heat_capacity_cv") {
-            return average;
-        }
-    }
-    return std::nullopt;
+bool has_column(const DataTable& table, std::string_view name) {
+    return std::ranges::find(table.columns, name) != table.columns.end();
 }
+
+/// Of each row: a column only where a barostat changes them. Not a number if the number of atoms is unknown.
+std::vector<double> densities_of(const DataTable& table, const Deck& deck, const std::optional<Index>& atoms) {
+    if (has_column(table, "density")) {
+        return column(table, "density");
+    }
+    const double density =
+        atoms ? static_cast<double>(*atoms) / find_start(deck).box.volume() : std::numeric_limits<double>::quiet_NaN();
+    return std::vector<double>(table.rows.size(), density);
+}
+
+/// Whether nothing but the integrator changes the total energy of the rows.
+bool energy_is_conserved(const Deck& deck) {
+    const SampledSteps sampled(deck.stages);
+    Index last = 0;
+    return deck.given.external.empty() && std::ranges::all_of(deck.stages, [&](const Stage& stage) {
+               last += stage.steps;
+               return stage.steps == 0 || !sampled.contain(last) || (!stage.thermostat && !stage.barostat);
+           });
+}
+
+/// Averages of rows of thermo.csv, by the rules of the run's own results.
+class RowAverages {
+  public:
+    RowAverages(const DataTable& table, const RecordedRun& run)
+        : table_(table), run_(run), atoms_(atoms_of(run.deck)), rows_(samples()) {}
+
+    /// Of a column; a guess where the run itself marks it.
+    [[nodiscard]] ObservableAverage of(const std::string& name, Index start) {
+        const std::vector<ObservableAverage>& all = from(start);
+        const auto found = std::ranges::find(all, name, &ObservableAverage::name);
+        if (found != all.end()) {
+            return *found;
+        }
+        const std::vector<double> series = column(table_, name);
+        return {name, symbol_of(name), "", blocking(std::span(series).subspan(static_cast<std::size_t>(start)))};
+    }
+
+    /// From the fluctuations of temperature and energy. Without the number of atoms there is none.
+    [[nodiscard]] std::optional<ObservableAverage> heat_capacity() {
+        const std::vector<ObservableAverage>& all = from(0);
+        const auto found = std::ranges::find(all, "heat_capacity_cv", &ObservableAverage::name);
+        return atoms_ && found != all.end() ? std::optional(*found) : std::nullopt;
+    }
+
+  private:
+    [[nodiscard]] std::vector<Thermodynamics> samples() const {
+        const std::vector<double> temperatures = column(table_, "temperature");
+        const std::vector<double> potential = column(table_, "potential_energy");
+        const std::vector<double> kinetic = column(table_, "kinetic_energy");
+        const std::vector<double> total = column(table_, "total_energy");
+        const std::vector<double> pressures = column(table_, "pressure");
+        const std::vector<double> densities = densities_of(table_, run_.deck, atoms_);
+        const TailCorrection tail = fluid_spec(run_.deck).interaction().tail;
+        std::vector<Thermodynamics> rows(temperatures.size());
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            rows[k].temperature = temperatures[k];
+            rows[k].potential_energy = potential[k];
+            rows[k].kinetic_energy = kinetic[k];
+            rows[k].total_energy = total[k];
+            rows[k].pressure = pressures[k];
+            rows[k].density = densities[k];
+            // Not its virial, but 0 like that in samples where no atoms meet.
+            const double far = tail.energy(densities[k]);
+            const double near = potential[k] - far;
+            rows[k].virial = std::abs(near) <= 1e-12 * std::abs(far) ? 0.0 : near;
+        }
+        return rows;
+    }
+
+    const std::vector<ObservableAverage>& from(Index start) {
+        const auto known = averages_.find(start);
+        if (known != averages_.end()) {
+            return known->second;
+        }
+        const Deck& deck = run_.deck;
+        RunAverages averages(atoms_.value_or(2), sampled_ensemble(deck.stages, !deck.given.external.empty()), false,
+                             exchange_steps(deck.stages) / static_cast<double>(deck.thermo_every));
+        std::for_each(rows_.begin() + start, rows_.end(), [&](const Thermodynamics& row) { averages.add(row); });
+        std::vector<ObservableAverage> found = averages.averages();
+        if (run_.finished) {
+            widen_wanted(found, deck.stages.back().until);
+        }
+        return averages_[start] = std::move(found);
+    }
+
+    const DataTable& table_;
+    const RecordedRun& run_;
+    std::optional<Index> atoms_;
+    std::vector<Thermodynamics> rows_;
+    std::map<Index, std::vector<ObservableAverage>> averages_;
+};
 
 /// Response functions that the columns determine: all of them where a barostat lets the volume fluctuate; under a
 /// thermostat alone the pressure coefficient.
@@ -86,12 +168,7 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");
     const std::vector<double> pressures = column(table, "pressure");
-    // A column only where a barostat changes it.
-    const bool has_densities = std::ranges::find(table.columns, "density") != table.columns.end();
-    const std::vector<double> densities =
-        has_densities
-            ? column(table, "density")
-            : std::vector<double>(energies.size(), static_cast<double>(*atoms) / find_start(deck).box.volume());
+    const std::vector<double> densities = densities_of(table, deck, atoms);
     for (std::size_t k = 0; k < energies.size(); ++k) {
         const double t = temperatures[k];
         const double rho = densities[k];
@@ -101,13 +178,6 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
     std::erase_if(
         found, [&](const ObservableAverage& each) { return !isobaric && each.name != "thermal_pressure_coefficient"; });
     return found;
-}
-
-/// With fewer independent rows the error bar is unreliable, see BlockingAccumulator.
-constexpr double few_samples = 16.0;
-
-std::string remark_on(const Equilibration& found) {
-    return found.independent_samples < few_samples ? std::string(guessed_error) : "";
 }
 
 /// The mark after a number; empty for an empty mark.
@@ -123,48 +193,119 @@ std::string in_words(const ObservableAverage& average) {
     return words;
 }
 
-/// (g - 1)/2 rows, as a time.
-double correlation_time(const ThermoReport& report, const Equilibration& found) {
-    return 0.5 * (found.inefficiency - 1.0) * report.interval;
+/// Rows that count as one independent row.
+double inefficiency(const Estimate& estimate) {
+    return static_cast<double>(estimate.samples) / estimate.independent_samples;
 }
 
-Index step_of_row(const ThermoReport& report, Index row) {
-    return report.first_step + row * ((report.last_step - report.first_step) / std::max(report.rows - 1, Index{1}));
+std::string remark_on(const ThermoReport::Column& column) {
+    const std::string remark = remark_of(column.average);
+    if (!column.found.changes) {
+        return remark;
+    }
+    return remark.empty() ? std::string(still_changing) : fmt::format("{}; {}", still_changing, remark);
 }
 
 std::vector<std::string> table_line(const ThermoReport& report, const ThermoReport::Column& column,
                                     Footnotes& footnotes) {
-    const Equilibration& found = column.found;
-    if (!std::isfinite(found.inefficiency)) {
-        return {column.name, "not defined"};
+    if (!column.average.estimate || !std::isfinite(column.average.estimate->mean)) {
+        return {column.average.name, "not defined"};
     }
-    return {column.name,
-            fmt::format("{}", step_of_row(report, found.start)),
-            fmt::format("{:.3g} tau", correlation_time(report, found)),
-            fmt::format("{:.0f}", found.independent_samples),
-            with_error(found.mean, found.standard_error),
-            footnotes.mark(remark_on(found))};
+    const Estimate& estimate = *column.average.estimate;
+    const auto step = equilibrated_at_step(report, column);
+    const auto time = correlation_time(report, column);
+    return {column.average.name,
+            step ? fmt::format("{}", *step) : state_of(column),
+            time ? fmt::format("{:.3g} tau", *time) : "-",
+            std::isfinite(estimate.independent_samples) ? fmt::format("{:.0f}", estimate.independent_samples) : "-",
+            with_error(estimate.mean, estimate.standard_error),
+            footnotes.mark(remark_on(column))};
 }
 
 Data column_data(const ThermoReport& report, const ThermoReport::Column& column) {
-    const Equilibration& found = column.found;
-    Data data = {{"equilibrated_at_row", found.start},
-                 {"equilibrated_at_step", step_of_row(report, found.start)},
-                 {"statistical_inefficiency", found.inefficiency},
-                 {"correlation_time", correlation_time(report, found)},
-                 {"independent_samples", found.independent_samples},
-                 {"mean", found.mean},
-                 {"standard_error", found.standard_error},
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Estimate estimate = column.average.estimate.value_or(Estimate{unknown, unknown, unknown, 0, false});
+    const Estimate all = column.of_all.estimate.value_or(estimate);
+    Data data = {{"equilibrium", state_of(column)},
+                 {"equilibrated_at_row", column.found.start},
+                 {"equilibrated_at_step", equilibrated_at_step(report, column)},
+                 {"statistical_inefficiency", inefficiency(estimate)},
+                 {"correlation_time", correlation_time(report, column)},
+                 {"independent_samples", estimate.independent_samples},
+                 {"mean", estimate.mean},
+                 {"standard_error", estimate.standard_error},
+                 {"error_is_converged", estimate.converged},
                  {"statistical_inefficiency_of_all", column.whole_inefficiency},
-                 {"mean_of_all", column.by_blocking.mean},
-                 {"blocking_standard_error_of_all", column.by_blocking.standard_error}};
-    if (const std::string remark = remark_on(found); !remark.empty()) {
+                 {"mean_of_all", all.mean},
+                 {"blocking_standard_error_of_all", all.standard_error}};
+    if (const std::string remark = remark_on(column); !remark.empty()) {
         data["remark"] = remark;
     }
     return data;
 }
 
+/// The columns that the report has, without those that the run's table lacks.
+std::vector<std::string> reported_columns(const DataTable& table) {
+    std::vector<std::string> names;
+    for (const std::string name : reported) {
+        const bool is_of_box = name == "density" || name.starts_with("edge_");
+        if (!is_of_box || has_column(table, name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+/// A conserved energy has nothing to relax, and tells nothing about the others.
+std::vector<Equilibration> equilibrations(const std::vector<std::string>& names,
+                                          const std::vector<std::vector<double>>& columns, bool energy_conserved,
+                                          const std::optional<Index>& atoms) {
+    // Energy and volume that a bath exchanges are the slowest: what they do shows in these as well, beside what is
+    // fast.
+    const std::set<std::string> judged{"temperature", "potential_energy", "pressure"};
+    std::vector<EquilibratingColumn> relaxing;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (energy_conserved && names[k] == "total_energy") {
+            continue;
+        }
+        relaxing.push_back({.series = columns[k], .judged = judged.contains(names[k])});
+        if (names[k] == "temperature" && atoms) {
+            relaxing.back().largest_relative_deviation =
+                std::sqrt(2.0 / static_cast<double>(std::max(degrees_of_freedom(*atoms), Index{1})));
+        }
+    }
+    std::vector<Equilibration> found = detect_equilibration(relaxing);
+    if (energy_conserved) {
+        const auto energy = std::ranges::find(names, "total_energy") - names.begin();
+        found.insert(found.begin() + energy, {std::nullopt, false, std::numeric_limits<double>::quiet_NaN()});
+    }
+    return found;
+}
+
 }  // namespace
+
+std::string state_of(const ThermoReport::Column& column) {
+    if (column.conserved) {
+        return "conserved";
+    }
+    if (column.found.changes) {
+        return "still changing";
+    }
+    return column.found.start ? "found" : "too short to tell";
+}
+
+std::optional<double> correlation_time(const ThermoReport& report, const ThermoReport::Column& column) {
+    const auto& estimate = column.average.estimate;
+    if (column.conserved || !estimate || !std::isfinite(estimate->independent_samples)) {
+        return std::nullopt;
+    }
+    return 0.5 * (inefficiency(*estimate) - 1.0) * report.interval;
+}
+
+std::optional<Index> equilibrated_at_step(const ThermoReport& report, const ThermoReport::Column& column) {
+    const Index between = (report.last_step - report.first_step) / std::max(report.rows - 1, Index{1});
+    return column.found.start ? std::optional(report.first_step + *column.found.start * between) : std::nullopt;
+}
 
 ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     require_fluid(run.deck, "a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
@@ -185,25 +326,22 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     }
     const std::vector<Index> steps = step_column(table, path);
     const std::vector<double> times = column(table, "time");
-    ThermoReport report{rows,
-                        steps.front(),
-                        steps.back(),
-                        (times.back() - times.front()) / static_cast<double>(rows - 1),
-                        std::max(rows / max_starts, Index{1}),
-                        {},
-                        {}};
-    if (const auto capacity = heat_capacity(table, run.deck)) {
+    ThermoReport report{
+        rows, steps.front(), steps.back(), (times.back() - times.front()) / static_cast<double>(rows - 1), {}, {}};
+    RowAverages averages(table, run);
+    if (const auto capacity = averages.heat_capacity()) {
         report.of_fluctuations.push_back(*capacity);
     }
     std::ranges::move(responses(table, run.deck), std::back_inserter(report.of_fluctuations));
-    for (const char* name : reported) {
-        const bool is_edge = std::string_view(name).starts_with("edge_");
-        if (is_edge && std::ranges::find(table.columns, name) == table.columns.end()) {
-            continue;
-        }
-        const std::vector<double> series = column(table, name);
-        report.columns.push_back(
-            {name, detect_equilibration(series, report.stride), statistical_inefficiency(series), blocking(series)});
+    const std::vector<std::string> names = reported_columns(table);
+    std::vector<std::vector<double>> series;
+    std::ranges::transform(names, std::back_inserter(series),
+                           [&](const std::string& name) { return column(table, name); });
+    const bool energy_conserved = energy_is_conserved(run.deck);
+    const std::vector<Equilibration> found = equilibrations(names, series, energy_conserved, atoms_of(run.deck));
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        report.columns.push_back({averages.of(names[k], found[k].start.value_or(0)), averages.of(names[k], 0), found[k],
+                                  energy_conserved && names[k] == "total_energy", statistical_inefficiency(series[k])});
     }
     return report;
 }
@@ -220,13 +358,12 @@ Document thermo_document(const ThermoReport& report) {
     Data observables = Data::object();
     for (const ThermoReport::Column& column : report.columns) {
         table.add(table_line(report, column, footnotes));
-        observables[column.name] = column_data(report, column);
+        observables[column.average.name] = column_data(report, column);
     }
     Document document{{{"rows", report.rows},
                        {"first_step", report.first_step},
                        {"last_step", report.last_step},
                        {"interval", report.interval},
-                       {"stride", report.stride},
                        {"observables", observables}},
                       fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n{}", report.rows,
                                   report.first_step, report.last_step, report.interval, table.text())};

@@ -37,7 +37,8 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       outputs_(outputs),
       sample_every_(spec.sample_every),
       averages_(fluid.state.total(), sampled_ensemble(spec.stages, spec.external != nullptr),
-                spec.external && spec.external->has_energy()),
+                spec.external && spec.external->has_energy(),
+                exchange_steps(spec.stages) / static_cast<double>(spec.sample_every)),
       too_near_(spec.potential),
       analysed_edges_(fluid.state.box().edges()) {
     for (Observer* observer : observers) {
@@ -298,17 +299,9 @@ void FluidMeasurement::widen_errors(RunResult& result) const {
         return;
     }
     result.stages.back().until = {errors_of(stage), stage.steps, errors_reached_};
-    const auto widen = [&stage](std::vector<ObservableAverage>& averages) {
-        for (ObservableAverage& average : averages) {
-            if (average.estimate &&
-                std::ranges::find(stage.until, average.name, &WantedError::observable) != stage.until.end()) {
-                average.estimate = stopped_estimate(*average.estimate);
-            }
-        }
-    };
-    widen(result.averages);
+    widen_wanted(result.averages, stage.until);
     if (result.at_requested) {
-        widen(result.at_requested->observables);
+        widen_wanted(result.at_requested->observables, stage.until);
     }
 }
 
@@ -381,6 +374,14 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     result.too_near = too_near_.remark();
     add_remarks(result, spec_);
     return result;
+}
+
+void widen_wanted(std::vector<ObservableAverage>& averages, const std::vector<WantedError>& wanted) {
+    for (ObservableAverage& average : averages) {
+        if (average.estimate && std::ranges::find(wanted, average.name, &WantedError::observable) != wanted.end()) {
+            average.estimate = stopped_estimate(*average.estimate);
+        }
+    }
 }
 
 }  // namespace ljmd

@@ -191,6 +191,16 @@ Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external) {
     return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
 }
 
+double exchange_steps(const std::vector<Stage>& stages) {
+    double longest = 0.0;
+    for (const Stage& stage : stages) {
+        if (stage.sample && stage.thermostat) {
+            longest = std::max(longest, stage.thermostat->options->kinetic_energy_relaxation() / stage.time_step);
+        }
+    }
+    return longest;
+}
+
 bool conserves_energy(const Stage& stage, const ExternalForce* external) {
     return conserves_energy(stage) && (external == nullptr || external->has_energy());
 }

@@ -13,6 +13,9 @@ namespace ljmd {
 
 namespace {
 
+constexpr double crystal_left = 0.1;
+constexpr double scatters = 5.0;
+
 /// Fraction of the kinetic energy. A plain cut with 256 atoms, whose energy performs a random walk, reaches 0.1 % in
 /// 200 tau with the usual time step. With a time step of 0.019 tau, where velocity Verlet begins to be unstable, it
 /// reaches 0.6 % after 60 tau.
@@ -75,7 +78,7 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     // Who measures a crystal wants it there.
     const bool of_crystal =
         std::ranges::find(result.averages, "bragg_peak", &ObservableAverage::name) != result.averages.end();
-    if (result.order_at_sampling && *result.order_at_sampling > crystal_left && !of_crystal) {
+    if (result.order_at_sampling && *result.order_at_sampling > largest_molten_order(result.atoms) && !of_crystal) {
         doubts.push_back(
             fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
                         "equilibrate longer, or melt above the target temperature first",
@@ -105,6 +108,10 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
 }
 
 }  // namespace
+
+double largest_molten_order(Index atoms) {
+    return std::max(crystal_left, scatters / std::sqrt(6.0 * static_cast<double>(atoms)));
+}
 
 std::string drift_remark(const StageResult& stage, double kinetic_energy) {
     const double length = static_cast<double>(stage.last_step - stage.first_step) * stage.time_step;

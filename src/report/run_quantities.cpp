@@ -83,14 +83,18 @@ std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<
         }
     } else if (so_far) {
         for (const ThermoReport::Column& column : so_far->columns) {
-            const PageColumn name = described(column.name);
-            quantities.push_back({.name = column.name,
+            const ObservableAverage& all = column.of_all;
+            if (!all.estimate) {
+                continue;
+            }
+            const PageColumn name = described(all.name);
+            quantities.push_back({.name = all.name,
                                   .symbol = name.label,
-                                  .value = column.by_blocking.mean,
-                                  .error = column.by_blocking.standard_error,
+                                  .value = all.estimate->mean,
+                                  .error = all.estimate->standard_error,
                                   .unit = name.unit,
-                                  .samples = column.by_blocking.independent_samples,
-                                  .remark = column.by_blocking.converged ? "" : std::string(guessed_error)});
+                                  .samples = all.estimate->independent_samples,
+                                  .remark = remark_of(all)});
         }
     }
     return quantities;

@@ -17,8 +17,6 @@ namespace ljmd {
 
 namespace {
 
-constexpr double few_samples = 16.0;  // as in thermo_report
-constexpr double noticeable_errors = 2.0;
 constexpr double farthest_errors = 3.0;
 
 std::string percent(double part) {
@@ -128,43 +126,53 @@ void add_temperature_verdict(std::vector<Verdict>& verdicts, const Data& results
 
 }  // namespace
 
-Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<double>& order) {
-    if (order && *order > crystal_left) {
+Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<double>& crystal) {
+    if (crystal) {
         return {
             "equilibrium", "bad",
-            fmt::format("Not in equilibrium: {:.0f} % of the crystal was left when sampling began.", 100.0 * *order)};
+            fmt::format("Not in equilibrium: {:.0f} % of the crystal was left when sampling began.", 100.0 * *crystal)};
     }
-    std::vector<std::string> moved;
+    std::vector<std::string> changing;
+    bool too_short = false;
     Index latest = 0;
     double fewest = std::numeric_limits<double>::infinity();
     for (const ThermoReport::Column& column : report.columns) {
-        const Equilibration& found = column.found;
-        if (column.name == "total_energy" || !std::isfinite(found.inefficiency)) {
-            continue;  // at constant energy it has nothing to relax
+        if (column.conserved || !std::isfinite(column.found.inefficiency)) {
+            continue;
         }
-        latest = std::max(latest, found.start);
-        fewest = std::min(fewest, found.independent_samples);
-        if (std::abs(column.by_blocking.mean - found.mean) > noticeable_errors * found.standard_error) {
-            moved.push_back(in_plain_words(column.name));
+        fewest = std::min(fewest, static_cast<double>(report.rows) / column.found.inefficiency);
+        if (column.average.estimate) {
+            fewest = std::fmin(fewest, column.average.estimate->independent_samples);
+        }
+        if (column.found.changes) {
+            changing.push_back(in_plain_words(column.average.name));
+        } else if (!column.found.start) {
+            too_short = true;
+        } else {
+            latest = std::max(latest, *column.found.start);
         }
     }
     if (!std::isfinite(fewest)) {
         return {"equilibrium", "unknown", "Equilibrium cannot be judged: temperature and energy have no fluctuations."};
     }
-    const double part = static_cast<double>(latest) / static_cast<double>(report.rows);
-    if (!moved.empty()) {
-        return {"equilibrium", part > 0.5 ? "bad" : "doubt",
-                fmt::format("Not in equilibrium when sampling began: leaving out the first {} of the samples changes "
-                            "the mean of {} by more than two errors.",
-                            percent(part), fmt::join(moved, ", "))};
+    if (!changing.empty()) {
+        return {"equilibrium", "bad",
+                fmt::format("Not in equilibrium: {} still changed in the second half of the samples.",
+                            fmt::join(changing, ", "))};
     }
-    if (fewest < few_samples) {
+    if (latest > 0) {
+        return {"equilibrium", "doubt",
+                fmt::format("Not in equilibrium when sampling began: the first {} of the samples differ from the later "
+                            "ones.",
+                            percent(static_cast<double>(latest) / static_cast<double>(report.rows)))};
+    }
+    if (too_short) {
         return {"equilibrium", "doubt",
                 fmt::format("Too short to judge equilibrium: {:.0f} independent samples, 16 are needed.", fewest)};
     }
     return {"equilibrium", "good",
-            fmt::format("Equilibrated: the means of temperature, energy and pressure do not depend on where sampling "
-                        "begins; at least {:.0f} independent samples.",
+            fmt::format("Equilibrated: temperature, energy and pressure do not change after sampling began; at "
+                        "least {:.0f} independent samples.",
                         fewest)};
 }
 

@@ -30,6 +30,14 @@ class SmallRun {
     std::optional<Deck> deck_;
 };
 
+/// What the report gives is what results.json has.
+void check_reported(const ObservableAverage& average, const Data& reported) {
+    REQUIRE(average.estimate.has_value());
+    CHECK(average.estimate->mean == Approx(reported.at("mean").number()).epsilon(1e-12));
+    CHECK(average.estimate->standard_error == Approx(reported.at("standard_error").number()).epsilon(1e-9));
+    CHECK(average.estimate->converged == (reported.at("error_is_converged") == true));
+}
+
 }  // namespace
 
 TEST_CASE("the report looks at the rows of sampled stages, as the averages of a run do") {
@@ -39,21 +47,44 @@ TEST_CASE("the report looks at the rows of sampled stages, as the averages of a 
     CHECK(report.first_step == 21);
     CHECK(report.last_step == 60);
     CHECK(report.interval == Approx(0.004));
-    CHECK(report.stride == 1);
     REQUIRE(report.columns.size() == 4);
     const Data results = parse_json(content_of(run.directory() / "results.json"));
+    std::vector<EquilibratingColumn> relaxing;
+    for (const char* name : {"temperature", "potential_energy", "pressure"}) {
+        const std::vector<double> all = run.column_of(name);
+        relaxing.push_back({{all.end() - 40, all.end()}});
+    }
+    relaxing.front().largest_relative_deviation = std::sqrt(2.0 / (3.0 * 107.0));
+    const std::vector<Equilibration> expected = detect_equilibration(relaxing);
+    std::size_t k = 0;
     for (const ThermoReport::Column& column : report.columns) {
-        CAPTURE(column.name);
-        const std::vector<double> all = run.column_of(column.name);
-        const std::vector<double> sampled(all.end() - 40, all.end());
-        const Equilibration expected = detect_equilibration(sampled, 1);
-        CHECK(column.found.start == expected.start);
-        CHECK(column.found.mean == expected.mean);
-        CHECK(column.found.standard_error == expected.standard_error);
-        CHECK(column.whole_inefficiency == statistical_inefficiency(sampled));
-        const Data& reported = results.at("observables").at(column.name);
-        CHECK(column.by_blocking.mean == Approx(reported.at("mean").number()).epsilon(1e-12));
-        CHECK(column.by_blocking.standard_error == Approx(reported.at("standard_error").number()).epsilon(1e-9));
+        CAPTURE(column.average.name);
+        CHECK(column.conserved == (column.average.name == "total_energy"));
+        if (!column.conserved) {
+            CHECK(column.found.start == expected[k].start);
+            CHECK(column.found.inefficiency == expected[k].inefficiency);
+            CHECK(column.whole_inefficiency == statistical_inefficiency(relaxing[k++].series));
+        }
+        const Data& reported = results.at("observables").at(column.average.name);
+        check_reported(column.of_all, reported);
+        if (column.found.start.value_or(0) == 0) {
+            check_reported(column.average, reported);
+        }
+    }
+}
+
+TEST_CASE("errors of a run that has reached those it was to reach are those of its results") {
+    std::string text = small_deck;
+    const std::string steps = "steps = 40\n";
+    text.replace(text.find(steps), steps.size(), "until = { temperature = 10.0, max_steps = 20000 }\n");
+    const DeckFolder folder(text);
+    const Deck deck = folder.load({"output.thermo.every=2"});
+    run_until(deck, total_steps(deck.stages));
+    const Data results = parse_json(content_of(deck.directory / "results.json"));
+    REQUIRE(results.at("observables").at("temperature").at("independent_samples").number() >= 150.0);
+    const ThermoReport report = thermo_report(recorded_run(deck.directory));
+    for (const ThermoReport::Column& column : report.columns) {
+        check_reported(column.of_all, results.at("observables").at(column.average.name));
     }
 }
 
@@ -81,14 +112,19 @@ TEST_CASE("the report says the same to people and to programs") {
     const ThermoReport report = SmallRun().report();
     const Data json = thermo_document(report).data;
     CHECK(json.at("rows") == 40);
-    CHECK(json.at("stride") == 1);
     const Data& pressure = json.at("observables").at("pressure");
-    const Equilibration& found = report.columns.back().found;
-    CHECK(pressure.at("equilibrated_at_row") == found.start);
-    CHECK(pressure.at("equilibrated_at_step") == 21 + found.start);
-    CHECK(pressure.at("statistical_inefficiency") == found.inefficiency);
-    CHECK(pressure.at("correlation_time").number() == Approx(0.5 * (found.inefficiency - 1.0) * 0.004));
-    CHECK(pressure.at("mean") == found.mean);
+    const ThermoReport::Column& column = report.columns.back();
+    const Estimate& estimate = *column.average.estimate;
+    CHECK(pressure.at("equilibrium") == state_of(column));
+    CHECK(pressure.at("equilibrated_at_row").is_null() == !column.found.start);
+    CHECK(pressure.at("mean") == estimate.mean);
+    CHECK(pressure.at("standard_error") == estimate.standard_error);
+    CHECK(pressure.at("independent_samples") == estimate.independent_samples);
+    const double inefficiency = static_cast<double>(estimate.samples) / estimate.independent_samples;
+    CHECK(pressure.at("statistical_inefficiency").number() == Approx(inefficiency));
+    CHECK(pressure.at("correlation_time").number() == Approx(0.5 * (inefficiency - 1.0) * 0.004));
+    CHECK(json.at("observables").at("total_energy").at("equilibrium") == "conserved");
+    CHECK(json.at("observables").at("total_energy").at("correlation_time").is_null());
     const std::string table = thermo_document(report).text;
     CHECK_THAT(table, Contains("40 rows of thermo.csv, steps 21 to 60, 0.004 tau apart"));
     for (const char* name : {"temperature", "potential_energy", "total_energy", "pressure"}) {
@@ -97,28 +133,39 @@ TEST_CASE("the report says the same to people and to programs") {
 }
 
 TEST_CASE("a column without numbers is not defined") {
-    ThermoReport report{5, 1, 5, 0.1, 1, {}};
-    const std::vector<double> unknown(5, std::nan(""));
-    report.columns.push_back({"temperature", detect_equilibration(unknown, 1), std::nan(""), {}});
+    ThermoReport report{5, 1, 5, 0.1, {}};
+    const ObservableAverage unknown{"temperature", "T", "", std::nullopt};
+    report.columns.push_back(
+        {unknown, unknown, detect_equilibration({{std::vector<double>(5, std::nan(""))}})[0], false, std::nan("")});
     CHECK_THAT(thermo_document(report).text, Contains("temperature                not defined"));
     CHECK(thermo_document(report).data.at("observables").at("temperature").at("mean").is_null());
 }
 
-TEST_CASE("an error bar of few independent rows is marked as a guess") {
-    ThermoReport report{400, 1, 400, 0.1, 1, {}};
-    Equilibration found{};
-    found.inefficiency = 20.0;
-    found.independent_samples = 15.0;
-    found.mean = 1.5;
-    found.standard_error = 0.1;
-    report.columns.push_back({"temperature", found, 20.0, {}});
-    found.independent_samples = 17.0;
-    report.columns.push_back({"pressure", found, 20.0, {}});
-    CHECK_THAT(thermo_document(report).text, Contains("1.50 +- 0.10  [1]\n") && Contains("1.50 +- 0.10\n") &&
-                                                 Contains("\n  [1] its error bar is a guess"));
+TEST_CASE("the report says where equilibrium begins, or why that is not known, and marks what is doubtful") {
+    ThermoReport report{400, 1, 400, 0.1, {}};
+    const auto add = [&](const char* name, const Equilibration& found, bool converged, bool conserved = false) {
+        const ObservableAverage average{name, "", "", Estimate{1.5, 0.1, 50.0, 400, converged}};
+        report.columns.push_back({average, average, found, conserved, 8.0});
+    };
+    add("temperature", {120, false, 8.0}, true);
+    add("potential_energy", {std::nullopt, false, 50.0}, false);
+    add("total_energy", {std::nullopt, false, std::nan("")}, true, true);
+    add("pressure", {std::nullopt, true, 8.0}, true);
+    const std::string text = thermo_document(report).text;
+    CHECK_THAT(text, Contains("temperature                        121") && Contains("1.50 +- 0.10\n"));
+    CHECK_THAT(text, Contains("potential_energy     too short to tell") && Contains("1.50 +- 0.10  [1]\n"));
+    CHECK_THAT(text, Contains("total_energy                 conserved"));
+    CHECK_THAT(text, Contains("pressure                still changing") && Contains("1.50 +- 0.10  [2]\n"));
+    CHECK_THAT(text, Contains("\n  [1] its error bar is a guess") && Contains("\n  [2] it still changes"));
     const Data observables = thermo_document(report).data.at("observables");
-    CHECK(observables.at("temperature").contains("remark"));
-    CHECK_FALSE(observables.at("pressure").contains("remark"));
+    CHECK(observables.at("temperature").at("equilibrated_at_row") == 120);
+    CHECK(observables.at("temperature").at("equilibrated_at_step") == 121);
+    CHECK_FALSE(observables.at("temperature").contains("remark"));
+    CHECK(observables.at("potential_energy").at("equilibrium") == "too short to tell");
+    CHECK(observables.at("potential_energy").at("equilibrated_at_step").is_null());
+    CHECK(observables.at("potential_energy").at("error_is_converged") == false);
+    CHECK(observables.at("pressure").at("equilibrium") == "still changing");
+    CHECK(observables.at("pressure").contains("remark"));
 }
 
 TEST_CASE("what has hardly begun, or has no equilibrium, is refused") {

@@ -20,10 +20,13 @@ def a_run_that_has_ended(t):
     t.contains(text.out, f"100 rows of thermo.csv, steps {found['first_step']} to {found['last_step']}")
     for name, observable in found["observables"].items():
         t.contains(text.out, name)
-        t.check(observable["independent_samples"] <= 100, f"{name}: {observable}")
+        t.check((observable["independent_samples"] or 0) <= 100, f"{name}: {observable}")
     results = t.json("out/results.json")["observables"]
     for name, observable in found["observables"].items():
         t.check(abs(observable["mean_of_all"] - results[name]["mean"]) < 1e-12, f"{name}: mean of all rows")
+        error = results[name]["standard_error"]
+        t.check(abs(observable["blocking_standard_error_of_all"] - error) < 1e-9 * error, f"{name}: its error")
+    t.equal(found["observables"]["total_energy"]["equilibrium"], "conserved", "the total energy")
     for key in ("mean", "standard_error"):
         ours, theirs = found["heat_capacity_cv"][key], results["heat_capacity_cv"][key]
         t.check(ours == theirs or abs(ours - theirs) < 1e-9 * theirs, f"heat capacity, {key}: {ours}, the run has {theirs}")

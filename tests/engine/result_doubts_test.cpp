@@ -1,6 +1,9 @@
 #include "ljmd/engine/result_doubts.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
 
 #include "engine/engine_fixtures.hpp"
 
@@ -49,6 +52,22 @@ TEST_CASE(
     CHECK(time_step_remark(stage).empty());
 }
 
+TEST_CASE("the order that is left by chance in few molten atoms is no crystal") {
+    CHECK(largest_molten_order(864) == 0.1);
+    CHECK(largest_molten_order(108) == Approx(5.0 / std::sqrt(648.0)));
+    std::mt19937_64 generator(7);
+    std::uniform_real_distribution<double> anywhere(0.0, 2.0 * std::numbers::pi);
+    int above = 0;
+    for (int run = 0; run < 1000; ++run) {
+        double sum = 0.0;
+        for (int k = 0; k < 3 * 108; ++k) {
+            sum += std::cos(anywhere(generator));
+        }
+        above += sum / (3 * 108) > largest_molten_order(108) ? 1 : 0;
+    }
+    CHECK(above == 0);
+}
+
 TEST_CASE("what makes results doubtful is said once, for the run as a whole") {
     RunResult result{};
     result.stages = {there};
@@ -62,6 +81,7 @@ TEST_CASE("what makes results doubtful is said once, for the run as a whole") {
     CHECK(result.warnings.empty());
     CHECK(result.averages[0].remark.empty());
 
+    result.atoms = 108;
     result.order_at_sampling = 0.5;
     result.search.rebuilds = 10;
     result.search.late_rebuilds = 3;

@@ -35,7 +35,8 @@ TEST_CASE("while there are no results, quantities are means of the rows so far")
     run_until(deck, 50);
     const RunFacts facts = run_facts(deck.directory);
     const ThermoReport report = thermo_report(*facts.run);
-    CHECK(quantity_called(run_quantities(facts, report), "temperature").value == report.columns[0].by_blocking.mean);
+    CHECK(quantity_called(run_quantities(facts, report), "temperature").value ==
+          report.columns[0].of_all.estimate->mean);
     CHECK(run_quantities(facts, std::nullopt).empty());
 }
 

@@ -10,11 +10,16 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// A report whose temperature is in equilibrium from this row on, with these means.
-ThermoReport report_of(Index start, double independent, double mean, double mean_of_all) {
-    ThermoReport report{1000, 0, 9990, 0.01, 10, {}};
-    report.columns.push_back(
-        {"temperature", {start, 5.0, independent, mean, 0.01}, 5.0, {mean_of_all, 0.01, independent, 1000, true}});
+/// A report of 1000 rows about temperature and pressure.
+ThermoReport report_of(const Equilibration& temperature, const Equilibration& pressure) {
+    ThermoReport report{1000, 0, 9990, 0.01, {}};
+    const auto add = [&](const char* name, const Equilibration& found, bool conserved) {
+        const ObservableAverage average{name, "", "", Estimate{1.0, 0.01, 200.0, 1000, true}};
+        report.columns.push_back({average, average, found, conserved, 5.0});
+    };
+    add("temperature", temperature, false);
+    add("total_energy", {std::nullopt, false, std::nan("")}, true);
+    add("pressure", pressure, false);
     return report;
 }
 
@@ -28,17 +33,27 @@ std::vector<Verdict> verdicts_of(const Data& results) {
 
 }  // namespace
 
-TEST_CASE("a run is in equilibrium if it does not matter where sampling begins") {
-    CHECK(equilibrium_verdict(report_of(300, 100.0, 1.0, 1.015)).level == "good");
-    CHECK(equilibrium_verdict(report_of(300, 100.0, 1.0, 1.025)).level == "doubt");
-    CHECK(equilibrium_verdict(report_of(600, 100.0, 1.0, 1.025)).level == "bad");
-    CHECK_THAT(equilibrium_verdict(report_of(300, 100.0, 1.0, 1.025)).words,
-               Contains("first 30 %") && Contains("mean of temperature"));
-    CHECK(equilibrium_verdict(report_of(0, 12.0, 1.0, 1.0)).level == "doubt");
-    CHECK(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.05).level == "good");
-    CHECK(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.3).level == "bad");
-    CHECK_THAT(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.3).words, Contains("30 % of the crystal"));
-    CHECK(equilibrium_verdict({1000, 0, 9990, 0.01, 10, {}}).level == "unknown");
+TEST_CASE("a run is in equilibrium if nothing in it changes, and if it is long enough to tell") {
+    const Equilibration settled{0, false, 5.0};
+    const Equilibration late{300, false, 5.0};
+    const Equilibration changing{std::nullopt, true, 5.0};
+    const Equilibration unknown{std::nullopt, false, 100.0};
+    const Verdict good = equilibrium_verdict(report_of(settled, settled));
+    CHECK(good.level == "good");
+    CHECK_THAT(good.words, Contains("200 independent samples"));
+    const Verdict doubt = equilibrium_verdict(report_of(settled, late));
+    CHECK(doubt.level == "doubt");
+    CHECK_THAT(doubt.words, Contains("Not in equilibrium when sampling began") && Contains("first 30 %"));
+    CHECK(equilibrium_verdict(report_of(unknown, late)).words == doubt.words);
+    const Verdict bad = equilibrium_verdict(report_of(late, changing));
+    CHECK(bad.level == "bad");
+    CHECK_THAT(bad.words, Contains("pressure still changed in the second half"));
+    const Verdict brief = equilibrium_verdict(report_of(unknown, unknown));
+    CHECK(brief.level == "doubt");
+    CHECK_THAT(brief.words, Contains("Too short to judge equilibrium: 10 independent samples"));
+    CHECK(equilibrium_verdict(report_of(settled, settled), 0.3).level == "bad");
+    CHECK_THAT(equilibrium_verdict(report_of(settled, settled), 0.3).words, Contains("30 % of the crystal"));
+    CHECK(equilibrium_verdict({1000, 0, 9990, 0.01, {}}).level == "unknown");
 }
 
 TEST_CASE("energy is judged where it is conserved, by what the results say of its drift") {

@@ -109,6 +109,10 @@ struct FluidSpec {
 /// centre of mass rests
 [[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external = false);
 
+/// Steps in which the slowest thermostat of the sampled stages takes up a deviation of the kinetic energy, see
+/// ThermostatOptions; 0 if none does.
+[[nodiscard]] double exchange_steps(const std::vector<Stage>& stages);
+
 /// Whether a stage of a fluid conserves its total energy minus the heat from the thermostat: as
 /// conserves_energy(stage), unless there is an external force without an energy.
 [[nodiscard]] bool conserves_energy(const Stage& stage, const ExternalForce* external);

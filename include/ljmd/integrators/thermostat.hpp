@@ -49,6 +49,9 @@ class ThermostatOptions {
   public:
     virtual ~ThermostatOptions() = default;
     virtual void describe(Description& description) = 0;
+    /// The time tau_K of <dK/dt> = (<K> - K)/tau_K, by which the bath takes up a deviation of the kinetic energy [tau].
+    /// 0 where there is no such time.
+    [[nodiscard]] virtual double kinetic_energy_relaxation() const { return 0.0; }
     [[nodiscard]] virtual std::unique_ptr<Thermostat> make(const HeatBath& bath) const = 0;
 
   protected:

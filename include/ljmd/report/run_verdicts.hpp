@@ -9,11 +9,10 @@
 
 namespace ljmd {
 
-/// Whether the sampled rows are in equilibrium. They are if leaving out what detect_equilibration() leaves out changes
-/// no mean of temperature, potential energy or pressure by more than two of its errors, and if there are at least 16
-/// independent rows; and if the crystal of the start was gone when sampling began.
-/// @param order  translational order when sampling began, if the run started from a lattice
-[[nodiscard]] Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<double>& order = {});
+/// Whether the sampled rows are in equilibrium, by detect_equilibration(): no column changes, and there are enough
+/// independent rows to tell; and the crystal of the start was gone when sampling began.
+/// @param crystal  translational order of the crystal that was left when sampling began, if one was
+[[nodiscard]] Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<double>& crystal = {});
 
 /// Statements about a fluid's results: conservation of energy, error bars, temperature, time step.
 [[nodiscard]] std::vector<Verdict> result_verdicts(const RunFacts& facts);

@@ -39,6 +39,7 @@ struct AndersenOptions : ThermostatOptions {
     void describe(Description& description) override {
         describe_relaxation_time(description, time, "mean time between two collisions of an atom");
     }
+    [[nodiscard]] double kinetic_energy_relaxation() const override { return time; }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<Andersen>(time, bath);
     }

@@ -36,6 +36,7 @@ struct LangevinOptions : ThermostatOptions {
     void describe(Description& description) override {
         describe_relaxation_time(description, time, "relaxation time of velocities by friction");
     }
+    [[nodiscard]] double kinetic_energy_relaxation() const override { return 0.5 * time; }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<Langevin>(time, bath);
     }

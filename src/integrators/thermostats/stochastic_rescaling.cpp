@@ -46,6 +46,7 @@ struct StochasticRescalingOptions : ThermostatOptions {
     void describe(Description& description) override {
         describe_relaxation_time(description, time, "relaxation time of the kinetic energy");
     }
+    [[nodiscard]] double kinetic_energy_relaxation() const override { return time; }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<StochasticRescaling>(time, bath);
     }

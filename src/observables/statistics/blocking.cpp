@@ -183,6 +183,20 @@ Eigen::VectorXd BlockingAccumulator::mean() const {
     return sum / static_cast<double>(samples());
 }
 
+Eigen::VectorXd BlockingAccumulator::covariances(Index component) const {
+    check(component);
+    if (covariance_ != Covariance::full) {
+        throw InputError("covariances need block averages with Covariance::full");
+    }
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(width_, nan);
+    for (Index other = 0; other < width_ && samples() > 1; ++other) {
+        const auto [first, second] = std::minmax(component, other);
+        result[other] =
+            levels_.front().deviation[diagonal(first) + second - first] / static_cast<double>(samples() - 1);
+    }
+    return result;
+}
+
 template <class Deviation>
 std::vector<BlockLevel> BlockingAccumulator::curve(Deviation deviation) const {
     std::vector<BlockLevel> result;

@@ -27,6 +27,9 @@ std::string unsure_of(const std::vector<ObservableAverage>& averages) {
             continue;
         }
         const bool known = average.estimate && average.estimate->converged;
+        if (known && std::isnan(average.estimate->independent_samples)) {
+            continue;  // a conserved energy is not sampled
+        }
         if (average.estimate && !known) {
             unsure += (unsure.empty() ? "" : ", ") + average.name;
         }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ljmd/model/velocities.hpp"
@@ -14,6 +16,7 @@ namespace {
 
 constexpr Index temperature_column = 0;
 constexpr Index potential_energy_column = 1;
+constexpr Index kinetic_energy_column = 2;
 constexpr Index total_energy_column = 3;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
@@ -27,16 +30,33 @@ constexpr Index external_energy_column = squared_energy_column + 1;
 /// As many encounters as independent samples are asked for elsewhere: the error is then known to 18 %.
 constexpr Index enough_encounters = 16;
 
+/// Of the error of the potential energy: that of the total energy is larger where a bath exchanges energy slowly, since
+/// the kinetic energy follows. Where the integrator alone changes it, and where the potential energy alone is slow, it
+/// is not.
+constexpr double noticeable_exchange = 1.5;
+
+/// Independent samples of energy and volume: a tenth of the runs that are a few of their correlation times long looks
+/// as if it had 16.
+constexpr double enough_exchanges = 24.0;
+
+/// Of an energy that is conserved but for errors of the integrator. @pre at least two samples
+Estimate conserved(const BlockingAccumulator& series, Index column) {
+    const double deviation =
+        series.levels(column).front().standard_error * std::sqrt(static_cast<double>(series.samples()));
+    return {series.mean()[column], deviation, std::numeric_limits<double>::quiet_NaN(), series.samples(), true};
+}
+
 constexpr const char* never_met =
     "no two atoms were within the cutoff in any sample: the run is too short for so dilute a gas";
 
 }  // namespace
 
-RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy)
+RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy, double exchange)
     : atoms_(static_cast<double>(atoms)),
       degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
       ensemble_(ensemble),
       external_energy_(external_energy),
+      exchange_(exchange),
       series_(external_energy_column + (external_energy ? 1 : 0), Covariance::full),
       blocks_(series_.width()) {}
 
@@ -75,8 +95,43 @@ Estimate RunAverages::estimate(double value, const Vec3& gradient) const {
     return estimate_of(value, whole);
 }
 
+Estimate RunAverages::with_exchange(Estimate found, const Eigen::VectorXd& gradient) const {
+    const Eigen::VectorXd with_total = series_.covariances(total_energy_column);
+    const double kinetic = series_.covariances(kinetic_energy_column)[kinetic_energy_column];
+    const double total = with_total[total_energy_column];
+    if (!(exchange_ > 0.0) || !(kinetic > 0.0) || !(total > 0.0)) {
+        return found;
+    }
+    const double most = 0.5 * static_cast<double>(samples()) * kinetic / (exchange_ * total);
+    found.converged = found.converged && most >= enough_exchanges;
+    const double least = std::abs(gradient.dot(with_total)) / std::sqrt(total * std::max(most, 1.0));
+    if (least > found.standard_error) {
+        const double part = found.standard_error / least;
+        found.independent_samples *= part * part;
+        found.standard_error = least;
+    }
+    return found;
+}
+
 Estimate RunAverages::estimate_of(double value, const Eigen::VectorXd& gradient) const {
-    return series_.estimate(value, gradient, {potential_energy_column});
+    std::vector<Index> exchanged;
+    if (series_.estimate(total_energy_column).standard_error >
+        noticeable_exchange * series_.estimate(potential_energy_column).standard_error) {
+        exchanged.push_back(total_energy_column);
+    }
+    if (volume_fluctuates(ensemble_)) {
+        exchanged.push_back(density_column);
+    }
+    std::vector<Index> slow = exchanged;
+    const bool of_motion = gradient[temperature_column] + gradient[kinetic_energy_column] == gradient.sum();
+    if (!of_motion) {
+        slow.push_back(potential_energy_column);
+    }
+    Estimate found = series_.estimate(value, gradient, slow);
+    const bool is_short = std::ranges::any_of(
+        exchanged, [this](Index column) { return series_.estimate(column).independent_samples < enough_exchanges; });
+    found.converged = found.converged && !is_short;
+    return with_exchange(found, gradient);
 }
 
 std::optional<Estimate> RunAverages::compressibility_factor() const {
@@ -188,9 +243,10 @@ std::vector<ObservableAverage> RunAverages::averages() const {
         if (degrees_of_freedom_ == 0.0 && (k == temperature_column || is_pressure)) {
             average.remark = "a single atom has no motion about the centre of mass: no temperature and no pressure";
         } else {
-            const bool of_pairs = is_pressure || k == total_energy_column || k == virial_column;
-            average.estimate = of_pairs ? estimate_of(series_.mean()[k], Eigen::VectorXd::Unit(series_.width(), k))
-                                        : series_.estimate(k);
+            average.estimate = estimate_of(series_.mean()[k], Eigen::VectorXd::Unit(series_.width(), k));
+            if (k == total_energy_column && ensemble_ == Ensemble::constant_energy && samples() > 1) {
+                average.estimate = conserved(series_, k);
+            }
         }
         result.push_back(average);
         if (met_rarely() && (k == potential_energy_column || k == virial_column)) {

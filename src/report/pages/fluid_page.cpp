@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/result_doubts.hpp"
@@ -59,16 +61,18 @@ void add_correlation_times(PageContent& page, const ThermoReport& report) {
     std::vector<double> times;
     std::vector<double> independent;
     std::vector<double> starts;
+    std::vector<std::string> states;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const ThermoReport::Column& column : report.columns) {
-        names.push_back(column.name);
-        times.push_back(0.5 * (column.found.inefficiency - 1.0) * report.interval);
-        independent.push_back(column.found.independent_samples);
-        starts.push_back(static_cast<double>(report.first_step) +
-                         static_cast<double>(column.found.start) *
-                             static_cast<double>(report.last_step - report.first_step) /
-                             static_cast<double>(std::max(report.rows - 1, Index{1})));
+        const auto step = equilibrated_at_step(report, column);
+        names.push_back(column.average.name);
+        states.push_back(state_of(column));
+        starts.push_back(step ? static_cast<double>(*step) : unknown);
+        times.push_back(correlation_time(report, column).value_or(unknown));
+        independent.push_back(column.average.estimate ? column.average.estimate->independent_samples : unknown);
     }
     table.add({"observable"}, names);
+    table.add({"equilibrium"}, states);
     table.add({"equilibrated_at_step", "in equilibrium from step"}, starts);
     table.add({"correlation_time", "correlation time", "tau"}, times);
     table.add({"independent_samples", "independent samples"}, independent);
@@ -81,8 +85,7 @@ bool measures_crystal(const RunFacts& facts) {
 }
 
 /// Verdict on the crystal that was there when sampling began, in place of that on a fluid which has not melted.
-Verdict crystal_verdict(double order) {
-    const bool there = order > crystal_left;
+Verdict crystal_verdict(double order, bool there) {
     return {"crystal", there ? "good" : "doubt",
             there ? fmt::format("The crystal was there when sampling began: translational order {:.2f}.", order)
                   : fmt::format("The crystal was gone when sampling began: translational order {:.2f}.", order)};
@@ -94,18 +97,21 @@ PageContent fluid_page(const RunFacts& facts) {
     PageContent page = page_of(facts);
     const bool crystal = measures_crystal(facts);
     const auto order = number_in(facts.results, {"translational_order_at_sampling"});
+    const auto atoms = number_in(facts.results, {"system", "atoms"});
+    const bool crystal_left =
+        order && atoms && *atoms >= 1.0 && *order > largest_molten_order(static_cast<Index>(*atoms));
     std::optional<ThermoReport> thermo;
     if (facts.run && input_is_there(facts.directory / "thermo.csv")) {
         try {
             thermo = thermo_report(*facts.run);
-            page.verdicts.push_back(equilibrium_verdict(*thermo, crystal ? std::nullopt : order));
+            page.verdicts.push_back(equilibrium_verdict(*thermo, crystal_left && !crystal ? order : std::nullopt));
         } catch (const Error& error) {
             page.verdicts.push_back(
                 {"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});
         }
     }
     if (crystal && order) {
-        page.verdicts.push_back(crystal_verdict(*order));
+        page.verdicts.push_back(crystal_verdict(*order, crystal_left));
     }
     if (!facts.results.is_null()) {
         for (Verdict& verdict : result_verdicts(facts)) {

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Index equilibration_stride = 10;
-
 Index first_sampled_step(const fs::path& results) {
     const std::vector<RecordedStage> stages = read_results(results).stages;
     const auto sampled = std::ranges::find_if(stages, &RecordedStage::sampled);
@@ -63,11 +61,14 @@ CanonicalSeries canonical_series(const fs::path& run, double density, double tem
 FoundEquilibration found_equilibration(const std::vector<CanonicalSeries>& runs) {
     FoundEquilibration found{0, 1.0, std::numeric_limits<double>::infinity()};
     for (const CanonicalSeries& run : runs) {
-        for (const std::vector<double>* series : {&run.energy, &run.pressure}) {
-            const Equilibration one = detect_equilibration(*series, equilibration_stride);
-            found.rows = std::max(found.rows, one.start);
+        const auto rows = static_cast<Index>(run.energy.size());
+        for (const Equilibration& one : detect_equilibration({{run.energy}, {run.pressure}})) {
+            const Index start = one.start.value_or(rows / 2);
+            const bool known = !one.changes && std::isfinite(one.inefficiency);
+            found.rows = std::max(found.rows, start);
             found.inefficiency = std::max(found.inefficiency, one.inefficiency);
-            found.independent = std::min(found.independent, one.independent_samples);
+            found.independent =
+                std::min(found.independent, known ? static_cast<double>(rows - start) / one.inefficiency : 0.0);
         }
     }
     return found;

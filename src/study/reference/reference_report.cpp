@@ -9,13 +9,12 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/study/error_in_brackets.hpp"
 
 namespace ljmd {
 
 namespace {
-
-constexpr double crystal_in_fluid = 0.1;  // translational order of a start that has not melted
 
 Data data_of(const ReferenceValue& value) {
     Data equations = Data::object();
@@ -100,7 +99,7 @@ std::vector<std::string> warnings_of(const ReferenceSetup& setup, const Referenc
                         "halves: the fluid is not in equilibrium, or changes its phase, and these are not its values",
                         findings.halves));
     }
-    if (findings.order.value_or(0.0) > crystal_in_fluid) {
+    if (findings.order.value_or(0.0) > largest_molten_order(setup.atoms)) {
         warnings.push_back(
             fmt::format("the crystal of the start has not melted (translational order {:.3f})", *findings.order));
     }

@@ -29,6 +29,10 @@ TEST_CASE("error bars that are guesses are named, unless all are") {
     CHECK(unsure_of({known}).empty());
     CHECK(unsure_of({known, few, short_one}) == "pressure, diffusion");
     CHECK(unsure_of({few, short_one}) == "all observables");
+    ObservableAverage conserved = known;
+    conserved.estimate->independent_samples = std::numeric_limits<double>::quiet_NaN();
+    CHECK(unsure_of({conserved, few, short_one}) == "all observables");
+    CHECK(unsure_of({conserved, known, few}) == "pressure");
     CHECK(unsure_of({}).empty());
     CHECK(unsure_of({known, average("pressure_xx", false)}).empty());
     CHECK(unsure_of({{"temperature", "T", "1", std::nullopt}}).empty());

@@ -132,6 +132,94 @@ TEST_CASE(
     CHECK(std::sqrt(without_correlation / runs) > 3.0 * scatter);
 }
 
+TEST_CASE("what a bath exchanges slowly shows in the total energy, and lengthens the blocks of all that it is in") {
+    const auto averages = [](double exchange) {
+        std::mt19937_64 generator(5);
+        std::normal_distribution<double> normal;
+        RunAverages run(100, Ensemble::none);
+        double slow = 0.0;
+        for (int k = 0; k < 4096; ++k) {
+            slow = 0.998 * slow + 0.063 * normal(generator);  // 500 samples long
+            const double fast = normal(generator);
+            Thermodynamics sample = numbered(0.0);
+            sample.kinetic_energy = 1.5 + fast + 0.1 * exchange * slow;
+            sample.potential_energy = -5.0 - fast + 0.1 * exchange * slow;
+            sample.total_energy = sample.kinetic_energy + sample.potential_energy;
+            sample.temperature = sample.kinetic_energy / 1.5;
+            run.add(sample);
+        }
+        return run.averages();
+    };
+    const auto shared = averages(1.0);
+    const auto none = averages(1e-4);
+    for (const char* name : {"temperature", "kinetic_energy", "potential_energy"}) {
+        CAPTURE(name);
+        CHECK_FALSE(find(shared, name).estimate->converged);
+        CHECK(find(none, name).estimate->converged);
+        CHECK(find(shared, name).estimate->standard_error > find(none, name).estimate->standard_error);
+    }
+}
+
+TEST_CASE("a run that is short beside the time of its bath knows it from that time, whatever its samples look like") {
+    const auto temperature = [](double exchange, double shared) {
+        std::mt19937_64 generator(5);
+        std::normal_distribution<double> normal;
+        RunAverages run(100, Ensemble::canonical, false, exchange);
+        for (int k = 0; k < 4096; ++k) {
+            Thermodynamics sample = numbered(0.0);
+            sample.kinetic_energy = 1.5 + normal(generator);
+            sample.total_energy = sample.kinetic_energy + std::sqrt(shared - 1.0) * normal(generator);
+            sample.potential_energy = sample.total_energy - sample.kinetic_energy;
+            sample.temperature = sample.kinetic_energy / 1.5;
+            run.add(sample);
+        }
+        return *find(run.averages(), "temperature").estimate;
+    };
+    const auto converged = [&](double exchange, double shared) { return temperature(exchange, shared).converged; };
+    // 4096/(2 k var(E)/var(K)) >= 24
+    CHECK(converged(0.0, 2.0));
+    CHECK(converged(39.0, 2.0));
+    CHECK_FALSE(converged(47.0, 2.0));
+    CHECK(converged(20.0, 4.0));
+    CHECK_FALSE(converged(24.0, 4.0));
+    // |cov(T, E)| = var(K)/1.5, var(E) = 2 var(K) and n_E = 4096/(2 20 2)
+    const Estimate slow = temperature(20.0, 2.0);
+    CHECK(slow.standard_error == Approx(1.0 / 1.5 / std::sqrt(2.0 * 51.2)).epsilon(0.05));
+    CHECK(slow.independent_samples == Approx(102.4).epsilon(0.2));
+    CHECK(temperature(0.01, 2.0).standard_error == temperature(0.0, 2.0).standard_error);
+}
+
+TEST_CASE("a volume that a barostat changes slowly lengthens the blocks of all averages") {
+    std::mt19937_64 generator(5);
+    std::normal_distribution<double> normal;
+    RunAverages run(100, Ensemble::isothermal_isobaric);
+    double slow = 0.0;
+    for (int k = 0; k < 4096; ++k) {
+        slow = 0.998 * slow + 0.063 * normal(generator);
+        Thermodynamics sample = numbered(0.0);
+        sample.density = 0.5 + 0.01 * slow;
+        sample.pressure = 1.0 + normal(generator) - 0.1 * slow;
+        run.add(sample);
+    }
+    CHECK_FALSE(find(run.averages(), "density").estimate->converged);
+    CHECK_FALSE(find(run.averages(), "pressure").estimate->converged);
+}
+
+TEST_CASE("an energy that is conserved is known to its standard deviation") {
+    RunAverages run(100, Ensemble::constant_energy);
+    for (const double x : {0.0, 1.0, 2.0, 5.0}) {
+        run.add(numbered(x));
+    }
+    const Estimate energy = *find(run.averages(), "total_energy").estimate;
+    CHECK(energy.mean == Approx(6.0));
+    CHECK(energy.standard_error == Approx(std::sqrt(14.0 / 3.0)));
+    CHECK(std::isnan(energy.independent_samples));
+    CHECK(energy.converged);
+    RunAverages one(100, Ensemble::constant_energy);
+    one.add(numbered(0.0));
+    CHECK(std::isnan(find(one.averages(), "total_energy").estimate->standard_error));
+}
+
 TEST_CASE("without samples there are no averages") {
     CHECK(RunAverages(10, Ensemble::none).averages().empty());
     CHECK(RunAverages(10, Ensemble::none).samples() == 0);

@@ -105,6 +105,10 @@ class BlockingAccumulator {
     /// @throws InputError unless 0 <= component < width
     [[nodiscard]] std::vector<BlockLevel> levels(Index component) const;
 
+    /// Covariances of all components with this one, over all samples; not a number with fewer than 2.
+    /// @throws InputError with Covariance::diagonal, or unless 0 <= component < width
+    [[nodiscard]] Eigen::VectorXd covariances(Index component) const;
+
     /// @throws CheckpointError for averages of another width
     void archive(Archive& a);
 

@@ -21,6 +21,21 @@ namespace ljmd {
 /// counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy
 /// needs, and a guess if that of the potential energy is one.
 ///
+/// Energy that a bath exchanges slowly is hidden likewise, and shows in the total energy. It is a part of all averages
+/// where its error is more than 1.5 times that of the potential energy, as is the density where the volume fluctuates.
+/// With fewer than 24 independent samples of these the errors are guesses. If the bath takes up a deviation of the
+/// kinetic energy in k_K samples, the total one needs k = k_K var(E)/var(K), since the potential energy shares what the
+/// bath gives. Of n samples n_E = n/(2 k) are then independent, or fewer, and the error of a mean x is at least that of
+/// the part that follows the energy,
+///
+///     |cov(x, E)|/(var(E) n_E)^(1/2)
+///
+/// A series alone does not know that it is short: those that look long enough are those with too small an error.
+///
+/// At constant energy the total energy samples nothing. It begins with what the integrator makes of the first step, so
+/// its mean differs from the energy of the start by about as much as it fluctuates: its error is its standard
+/// deviation, and it has no number of independent samples.
+///
 /// The heat capacity at constant volume follows from fluctuations: of the temperature at constant
 /// energy, of the potential energy u per atom in the canonical ensemble. It includes the 3/2 of the motion of all N
 /// atoms.
@@ -44,7 +59,9 @@ class RunAverages {
   public:
     /// @param ensemble  of all samples
     /// @param external_energy  whether the samples have one
-    RunAverages(Index atoms, Ensemble ensemble, bool external_energy = false);
+    /// @param exchange  samples in which the bath takes up a deviation of the kinetic energy; 0 if there is no such
+    /// time
+    RunAverages(Index atoms, Ensemble ensemble, bool external_energy = false, double exchange = 0.0);
 
     void add(const Thermodynamics& sample);
     [[nodiscard]] Index samples() const { return series_.samples(); }
@@ -68,6 +85,8 @@ class RunAverages {
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
     /// Whether so few encounters were sampled that errors of what only they contribute to are not known.
     [[nodiscard]] bool met_rarely() const;
+    /// With at least the error that the time of the bath makes, see above.
+    [[nodiscard]] Estimate with_exchange(Estimate found, const Eigen::VectorXd& gradient) const;
     /// Nothing in ensembles whose fluctuations do not determine it; without estimate but with a remark if it has no
     /// value.
     [[nodiscard]] std::optional<ObservableAverage> heat_capacity() const;
@@ -82,6 +101,7 @@ class RunAverages {
     double degrees_of_freedom_;
     Ensemble ensemble_;
     bool external_energy_;
+    double exchange_;
     BlockingAccumulator series_;
     JackknifeBlocks blocks_;
     Index encounters_ = 0;     ///< runs of consecutive samples with a virial
