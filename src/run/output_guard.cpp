@@ -42,16 +42,13 @@ void require_usable(const fs::path& directory, const std::string& consequence) {
 /// @throws OutputRefused  something else has it
 bool is_file_or_link(const fs::path& path, const std::string& consequence,
                      const std::pair<const char*, const char*>& instead) {
-    const fs::file_type type = files::type_of(path);
-    const bool leads_to_none = type == fs::file_type::symlink && files::exists(path) && !files::is_regular_file(path);
-    if (!path.has_filename() || leads_to_none ||
-        (type != fs::file_type::regular && type != fs::file_type::symlink && type != fs::file_type::not_found)) {
+    if (!path.has_filename() || (files::exists(path) && !files::is_regular_file(path))) {
         throw OutputRefused(
             fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.",
                         path.string(), consequence),
             {instead});
     }
-    return type != fs::file_type::not_found;
+    return files::is_taken(path);
 }
 
 /// Whether a file bears the mark of its kind. A link bears none: what it leads to may be somebody else's.

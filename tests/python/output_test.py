@@ -1,7 +1,6 @@
 """Files under names that a caller gives: whose file is replaced, and what a failure leaves. docs/reliability.md has the table."""
 
 import os
-import pathlib
 import resource
 import stat
 import unittest
@@ -84,8 +83,9 @@ class Outputs(Case):
     def test_a_link_is_never_followed(self):
         precious = self.folder / "precious"
         precious.write_text("mine")
+        os.mkfifo(self.folder / "pipe")
         for output in self.each():
-            for target in (precious, self.folder / "nowhere", pathlib.Path("/dev/null"), self.folder):
+            for target in (precious, self.folder / "nowhere", self.folder / "pipe", self.folder):
                 self.path.unlink(missing_ok=True)
                 self.path.symlink_to(target)
                 self.refused(output)
