@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Error against time step of every integrator, for one few-body deck.
 
-    convergence.py DECK [--set KEY=VALUE] [--integrators a,b,...] [--time-steps h,h,...] [--output DIR] [--ljmd PATH]
+    convergence.py DECK [--set KEY=VALUE] [--integrators a,b,...] [--time-steps h,h,...] [--output DIR] [--ljmd PATH] [--force]
 
 Runs `ljmd compare DECK --with gsl` for each integrator (by default all that take fixed steps) and each time step (by default the deck's, and
 2, 4, 8 times as much and as little). Time steps are changed so little that a whole number of them takes the time of the
@@ -9,7 +9,7 @@ deck, which must have one stage. Errors are the largest distance of a body from 
 the total energy.
 
 Writes convergence.png and convergence.csv (integrator, time_step, position_error, energy_error) into DIR
-(runs/NAME-convergence by default), and prints the slopes of log(error) against log(time step). A point is fitted where
+(runs/NAME-convergence by default; earlier ones are replaced, other files only with --force), and prints the slopes of log(error) against log(time step). A point is fitted where
 its error is above round-off (1e-11) and the position error is below a tenth of the size of the orbit at its start.
 Exit codes: 0 ok, 2 usage, or a deck or integrator that ljmd refuses, 4 a file cannot be written.
 """
@@ -33,7 +33,7 @@ import fitting  # noqa: E402
 import program  # noqa: E402
 import style  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from ljmd.errors import FileError, InputError  # noqa: E402
+from ljmd.errors import InputError  # noqa: E402
 from ljmd.reading import decks  # noqa: E402
 from style import plt  # noqa: E402
 
@@ -42,6 +42,7 @@ LARGE = 0.1  # of the size of the orbit
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125)  # of the deck's time step
 BLOWN_UP = 5  # exit code of ljmd
 ERRORS = {"position_error": "largest distance from the reference", "energy_error": "largest $|E - E(0)|$"}
+HEADER = "integrator,time_step," + ",".join(ERRORS)
 MARKERS = "os^vD<>Phd*"
 
 
@@ -165,17 +166,13 @@ def written(slope: float) -> str:
     return f"{slope:.2f}" if math.isfinite(slope) else "-"
 
 
-def save_table(series: Sequence[Series], path: Path) -> None:
+def save_table(series: Sequence[Series], path: Path, force: bool) -> None:
     """convergence.csv."""
-    lines = ["integrator,time_step," + ",".join(ERRORS)]
+    lines = [HEADER]
     for one in series:
         for row in zip(one.time_steps.tolist(), *(one.errors[name].tolist() for name in ERRORS)):
             lines.append(",".join([one.integrator, *map(repr, row)]))
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+    style.save_text("\n".join(lines) + "\n", path, HEADER, force)
     print(path)
 
 
@@ -203,10 +200,14 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--integrators", metavar="A,B,...", help="names as in `ljmd info` (all of fixed steps)")
     parser.add_argument("--time-steps", type=time_steps_from, metavar="H,H,...", help="(the deck's, times 1/8 ... 8)")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (runs/NAME-convergence)")
+    parser.add_argument("--force", action="store_true", help="replace files that are none of an earlier study")
     parser.add_argument("--ljmd", type=Path, metavar="PATH", help="the program (build/release/ljmd, else on PATH)")
     options = parser.parse_args(arguments)
     ljmd = options.ljmd or Path(program.path())
     output = options.output or Path("runs") / f"{options.deck.stem}-convergence"
+    table, picture = output / "convergence.csv", output / "convergence.png"
+    style.require_writable(table, options.force, HEADER.encode())
+    style.require_writable(picture, options.force)
     style.use()
     changes = [text for setting in options.settings for text in ("--set", setting)]
     run_ljmd(ljmd, "check", options.deck, "--json", "--quiet", *changes)  # what is wrong with a deck, ljmd says best
@@ -221,8 +222,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     time_steps = options.time_steps or [factor * study.time_step for factor in FACTORS]
     series = [measure(study, ljmd, name, known[name], time_steps) for name in names]
     print_slopes(series)
-    save_table(series, output / "convergence.csv")
-    style.save(plot(study, series), output / "convergence.png")
+    save_table(series, table, options.force)
+    style.save(plot(study, series), picture, options.force)
     return 0
 
 

@@ -2,13 +2,13 @@
 """The pictures of what ljmd has written: of a run, also one that was stopped, has failed or goes on, of an analysis, a
 sweep, a reproduced table, a comparison, or of a single table. `ljmd plot` calls this script.
 
-    plot.py DIR|FILE [NAME ...] [--out FILE|DIR] [--against KEY] [--relative-to K]
+    plot.py DIR|FILE [NAME ...] [--out FILE|DIR] [--against KEY] [--relative-to K] [--force]
 
 Draws the pictures NAME, or all that suit, and prints the path of each, one a line. Of a sweep a NAME is a column of
 sweep.csv, pressure by default (of few bodies total_energy), and KEY the varied key on the axis, or the last part of its
 name. K is the body from which few bodies are seen. Pictures are PNG, and lie in DIR or beside FILE; with --out they are
 what its ending says: .png, .svg or .pdf. Several pictures get their names added: --out a.pdf writes a-thermo.pdf. An
---out without such an ending is a directory.
+--out without such an ending is a directory. Earlier pictures are replaced, other files only with --force.
 Exit codes: 0 ok, 2 usage, 3 a file is missing or damaged, 4 a picture cannot be written.
 """
 
@@ -69,12 +69,16 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--out", type=Path, metavar="FILE", help="ends in .png, .svg or .pdf, or is a directory")
     parser.add_argument("--against", metavar="KEY", help="of a sweep: varied key on the axis (the last)")
     parser.add_argument("--relative-to", type=int, metavar="K", help="of few bodies: seen from this one, counted from 1")
+    parser.add_argument("--force", action="store_true", help="replace files that are no pictures of ljmd")
     options = parser.parse_args(arguments)
     style.use()
     source = sources.recognize(options.path, Choice(options.against, options.relative_to))
     names = chosen(source, options.path, options.names)
-    for name, path in places(source, names, options.out).items():
-        style.save(source.pictures[name](), path)
+    pictures = places(source, names, options.out)
+    for path in pictures.values():
+        style.require_writable(path, options.force)
+    for name, path in pictures.items():
+        style.save(source.pictures[name](), path, options.force)
     return 0
 
 

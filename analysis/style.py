@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from pathlib import Path
+from typing import Any, Optional
 
 import matplotlib
 
 matplotlib.use("Agg")
 import fonts  # noqa: E402  (the backend must be chosen first)
 import matplotlib.pyplot as plt  # noqa: E402
+from ljmd import _output  # noqa: E402
 from ljmd.errors import FileError  # noqa: E402
 from plain_text import lines, plain  # noqa: E402
 
-FORMATS = (".png", ".pdf", ".svg")
+# What pictures have in them beside what is seen: who drew them, by which they are known, and no date, so that the same picture is the
+# same file.
+METADATA = {".png": {"Software": "ljmd"}, ".pdf": {"Creator": "ljmd", "CreationDate": None}, ".svg": {"Creator": "ljmd", "Date": None}}
+MARKS = {".png": b"Software\0ljmd", ".pdf": b"/Creator (ljmd)", ".svg": b"<dc:title>ljmd</dc:title>", ".gif": b"drawn by ljmd",
+         ".mp4": b"drawn by ljmd"}
+FORMATS = tuple(METADATA)
 
 # The colours of the style file, Okabe and Ito's palette: one a body, or an integrator.
 STYLE = Path(__file__).resolve().parent / "ljmd.mplstyle"
@@ -82,23 +90,37 @@ def legend_beside(axes: plt.Axes, **more: object) -> None:
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **more)
 
 
-def save(figure: plt.Figure, path: Path) -> None:
-    """Write a picture, by the ending of its name, and say where it is. It has its name only when it is complete."""
-    half = path.with_name(f".half-{path.name}")
-    dates = {".svg": "Date", ".pdf": "CreationDate"}  # left out: the same picture is the same file
+def _allowed(path: Path, force: Optional[bool], mark: bytes) -> dict[str, Any]:
+    """What a file may take the place of. force: None where a script has no such option."""
+    return {"force": bool(force), "mark": mark or MARKS[path.suffix], "how": "" if force is None else "--force"}
+
+
+def require_writable(path: Path, force: Optional[bool] = None, mark: bytes = b"") -> None:
+    """Refuse a file in whose place something else is, before it is made. mark: of a file that is neither picture nor film."""
+    _output.require_writable(path, **_allowed(path, force, mark))
+
+
+def replacing(path: Path, force: Optional[bool] = None, mark: bytes = b"") -> contextlib.AbstractContextManager[Path]:
+    """Where a file grows until it is complete; see ljmd._output. Makes its directory."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            with fonts.letters_that_lack():
-                figure.savefig(half, format=path.suffix[1:],
-                               metadata={dates[path.suffix]: None} if path.suffix in dates else None)
-            half.replace(path)
-        finally:
-            half.unlink(missing_ok=True)
     except OSError as error:
         raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+    return _output.replacing(path, **_allowed(path, force, mark))
+
+
+def save(figure: plt.Figure, path: Path, force: Optional[bool] = None) -> None:
+    """Write a picture, by the ending of its name, and say where it is. It has its name only when it is complete."""
+    with replacing(path, force) as half, fonts.letters_that_lack():
+        figure.savefig(half, format=path.suffix[1:], metadata=METADATA[path.suffix])
     plt.close(figure)
     print(path, flush=True)
+
+
+def save_text(text: str, path: Path, mark: str, force: Optional[bool] = None) -> None:
+    """Write a record or a table that has `mark` in it."""
+    with replacing(path, force, mark.encode()) as half:
+        half.write_text(text, encoding="utf-8")
 
 
 def with_uncertainty(mean: float, standard_error: float) -> str:

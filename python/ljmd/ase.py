@@ -19,7 +19,7 @@ from ase import Atoms
 from ase.calculators.calculator import Calculator as _AseCalculator
 from ase.calculators.calculator import all_changes
 
-from . import _check, _core
+from . import _check, _core, _output
 from .deck import Deck
 from .errors import DataError, InputError
 from .evaluation import Evaluator, edges_of
@@ -28,6 +28,8 @@ from .results import Run
 from .simulation import Simulation
 from .tables import ARGON, Stage
 from .trajectories import Trajectory
+
+_MARK = "creator=ljmd"  # in the comment of files of to_deck()
 
 
 def units(substance: dict = ARGON) -> tuple:
@@ -183,10 +185,12 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
 
 
 def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: float | None = None, truncation: str = "shifted",
-            temperature: float | None = None, **options) -> Deck:
+            temperature: float | None = None, force: bool = False, **options) -> Deck:
     """A deck that starts from ASE atoms: their positions, cell and velocities, in reduced units.
 
-    file: extended XYZ that is written, and that the deck then starts from; another run may be in memory, or have a directory
+    file: extended XYZ that is written, and that the deck then starts from; another run may be in memory, or have a directory. One
+        that was written so before is replaced
+    force: replace any other file, too; a link is replaced itself, never what it leads to
     sigma, epsilon: one reduced unit in angstrom and eV
     cutoff: [angstrom]; 3 sigma by default
     temperature: [epsilon/k_B]; from the velocities by default. Atoms at rest have their velocities drawn at this temperature
@@ -204,7 +208,7 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
     moving = bool(velocities.any())
     if not moving and temperature is None:
         raise InputError("the atoms are at rest: give a temperature, at which velocities are drawn")
-    deck = Deck.fluid(file=_written(file, atoms.positions / sigma, velocities if moving else None, edges),
+    deck = Deck.fluid(file=_written(file, atoms.positions / sigma, velocities if moving else None, edges, force),
                       temperature=temperature, truncation=truncation,  # type: ignore[arg-type]
                       cutoff=3.0 if cutoff is None else _check.positive(cutoff, "cutoff") / sigma, **options)
     if temperature is None:
@@ -212,15 +216,15 @@ def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: fl
     return deck
 
 
-def _written(file, positions, velocities, edges) -> str:
+def _written(file, positions, velocities, edges, force) -> str:
     """Write a configuration as extended XYZ in reduced units, with all digits. Returns its path."""
     if not np.isfinite(positions).all() or (velocities is not None and not np.isfinite(velocities).all()):
         raise InputError("positions and velocities must be finite")
     path = _check.directory_of(file)
     columns = "species:S:1:pos:R:3" + ("" if velocities is None else ":velo:R:3") + ":id:I:1"
     lines = [str(len(positions)),
-             f'Lattice="{edges[0]!r} 0 0 0 {edges[1]!r} 0 0 0 {edges[2]!r}" Properties={columns} pbc="T T T" units=reduced']
+             f'Lattice="{edges[0]!r} 0 0 0 {edges[1]!r} 0 0 0 {edges[2]!r}" Properties={columns} pbc="T T T" units=reduced {_MARK}']
     numbers = positions if velocities is None else np.hstack([positions, velocities])
     lines += [f"X {' '.join(map(repr, row))} {k + 1}" for k, row in enumerate(numbers.tolist())]
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    _output.write_text(path, "\n".join(lines) + "\n", force=_check.truth(force, "force"), mark=_MARK.encode())
     return str(path)

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar, overload
 
-from . import _check, _core, _toml
+from . import _check, _core, _output, _toml
 from ._text import html_pre, html_table
 from .comparisons import Comparison, compare
 from .errors import InputError
@@ -221,12 +221,16 @@ class Deck:
         name, text, settings = self._source()
         return _toml.dumps(self._tables) if settings else text
 
-    def save(self, path) -> None:
-        """Write the deck to a file, for the command line. Raises InputError with a pair potential of your own."""
+    def save(self, path, *, force: bool = False) -> None:
+        """Write the deck to a file, for the command line.
+
+        force: replace a file that is there; a link is replaced itself, never what it leads to
+
+        Raises InputError with a pair potential of your own, and for a name that is taken; FileError, which leaves the earlier file.
+        """
         if self._pair is not None:
             raise InputError("a pair potential in Python cannot be written to a deck")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.text)
+        _output.write_text(_check.directory_of(path), self.text, force=_check.truth(force, "force"))
 
     def _require_stages(self) -> None:
         if self._tables and not self._tables.get("stage"):

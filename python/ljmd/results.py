@@ -221,18 +221,19 @@ class Run(Results):
         about, _ = _core.describe(self.directory)
         return Frames.of_one(positions, velocities, edges, time, about["total_steps"])
 
-    def report(self, page=None) -> pathlib.Path:
+    def report(self, page=None, *, force: bool = False) -> pathlib.Path:
         """Write one HTML page about the run, finished or not, and return its path: verdicts, charts, the atoms in motion.
 
-        page: file to write; report.html in the directory of the run by default
+        page: file to write; report.html in the directory of the run by default. An earlier page is replaced
+        force: replace any other file, too; a link is replaced itself, never what it leads to
 
-        It needs no network. Raises DataError for a run in memory, FileError.
+        It needs no network. Raises DataError for a run in memory, InputError for a name that is taken, FileError.
         """
         if self.directory is None:
             raise DataError("a page is made from the files of a run: give it a directory")
         from . import _core
-        page = self.directory / "report.html" if page is None else pathlib.Path(page)
-        for text in _core.write_report([self.directory], page):
+        page = self.directory / "report.html" if page is None else _check.directory_of(page)
+        for text in _core.write_report([self.directory], page, _check.truth(force, "force")):
             _check.warn(text)
         return page
 

@@ -10,7 +10,6 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -110,7 +109,8 @@ Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Want
         make_directory(directory);
     }
     for (const DataTable& table : result.tables) {
-        write_file_atomically(directory / (table.name + ".csv"), to_csv(with_si_columns(table, trajectory.units())));
+        write_output(directory / (table.name + ".csv"), {.force = options.force, .instead = another_directory},
+                     to_csv(with_si_columns(table, trajectory.units())));
     }
     Document document = trajectory_document(trajectory, result);
     if (!result.tables.empty()) {

@@ -147,7 +147,7 @@ void compare_bodies(const Deck& deck, const DeckOptions& options, const std::str
     const GslComparison comparison = compare_with_gsl(deck, progress);
     progress.clear_line();
     if (!out.empty()) {
-        write_comparison(comparison, deck, out);
+        write_comparison(comparison, deck, out, options.force);
     }
     print_result(options.json ? comparison_json(comparison, deck) + "\n" : comparison_table(comparison, deck));
     if (!comparison.passed()) {
@@ -169,7 +169,7 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
     progress.clear_line();
     if (!out.empty()) {
-        write_crosscheck(found, deck, compared, out);
+        write_crosscheck(found, deck, compared, out, options.force);
     }
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
                               : crosscheck_table(found, deck, compared) + (out.empty() ? "" : told_files(out)));
@@ -379,7 +379,7 @@ void export_command(const DeckOptions& options, const std::string& to, const std
     Diagnostics diagnostics;
     const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
     require_no_input(what.deck, export_files(to, directory), "Nothing was written");
-    const Exported written = export_configuration(what.deck, what.state, to, directory, forces);
+    const Exported written = export_configuration(what.deck, what.state, to, directory, forces, options.force);
     if (!options.quiet) {
         for (const std::string& warning : written.warnings) {
             warn(warning);

@@ -5,10 +5,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/example_decks.hpp"
 #include "ljmd/cli/streams.hpp"
-#include "ljmd/core/errors.hpp"
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/output_guard.hpp"
 
@@ -17,17 +14,6 @@ namespace ljmd {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Refuse to replace what is there already.
-void check_place(const fs::path& file, bool force) {
-    if (file.filename().empty() || files::is_directory(file)) {
-        throw InputError(fmt::format("{} is a directory, and no name for a deck. Nothing was written.", file.string()));
-    }
-    if (!force && files::is_taken(file)) {
-        throw OutputRefused(fmt::format("{} is there already. Nothing was written.", file.string()),
-                            {{"choose another name", ""}, {"or replace it", " with --force"}});
-    }
-}
 
 std::string list_of_examples() {
     TextTable table({{"", TextTable::Align::left}, {"", TextTable::Align::left}});
@@ -46,8 +32,7 @@ void init_command(const InitOptions& options) {
     }
     const ExampleDeck& deck = example_deck(options.example);
     const fs::path file = options.file.empty() ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options.file);
-    check_place(file, options.force);
-    write_file_atomically(file, deck.text);
+    write_output(file, {.force = options.force}, deck.text);
     print_result(
         fmt::format("{0}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall keys: ljmd info --keys\n",
                     file.string(), shell_word(file)));

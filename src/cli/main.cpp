@@ -184,6 +184,7 @@ void add_plot_options(CLI::App& command, ljmd::PlotOptions& options) {
                     "of few bodies: the body from which the others are seen, counted from 1")
         ->type_name("K")
         ->check(CLI::PositiveNumber);
+    command.add_flag("--force", options.force, "replace files that are no pictures of ljmd");
 }
 
 constexpr int usage_error = 2;
@@ -295,6 +296,7 @@ int main(int argc, char** argv) {
         .add_option("--out", reported.out,
                     "file to write, RUN/report.html by default; for several report.html in the working directory")
         ->type_name("FILE");
+    report.add_flag("--force", reported.force, "replace a file that is no page of ljmd");
     CLI::Option* opened = report.add_flag("--open", reported.open, "open the page in a browser");
     report.add_flag("--json", reported.json, "print the data of the page as JSON, and write no page")->excludes(opened);
     ljmd::PlotOptions drawn;

@@ -23,6 +23,9 @@ std::vector<std::string> arguments_of(const fs::path& script, const PlotOptions&
     if (options.relative_to > 0) {
         arguments.push_back(fmt::format("--relative-to={}", options.relative_to));
     }
+    if (options.force) {
+        arguments.emplace_back("--force");
+    }
     arguments.emplace_back("--");
     arguments.push_back(options.path);
     arguments.insert(arguments.end(), options.names.begin(), options.names.end());

@@ -62,7 +62,7 @@ void report_command(const ReportOptions& options) {
     const fs::path page = !options.out.empty()     ? fs::path(options.out)
                           : directories.size() > 1 ? fs::path(report_name)
                                                    : directories.front() / report_name;
-    for (const std::string& warning : write_report(directories, page)) {
+    for (const std::string& warning : write_report(directories, page, options.force)) {
         warn(warning);
     }
     print_result(fmt::format("{}\n", page.string()));

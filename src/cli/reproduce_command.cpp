@@ -67,14 +67,18 @@ std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
     return rows;
 }
 
-/// Refuse a directory whose files are not those of a reproduced table. @throws InputError
-void require_usable(const fs::path& out, bool force) {
+/// Refuse a directory whose files are not those of a reproduced table. @throws InputError, DataError
+void require_usable(const fs::path& out, const std::vector<RowRun>& runs, bool force) {
     const std::string consequence = "Nothing was run";
     require_no_run(out, consequence);
-    const bool begun = std::ranges::any_of(verlet1967_table(), [&](const VerletRow& row) {
-        return files::exists(out / rows_folder / RowRun::deck_name(row));
-    });
-    require_no_outputs(out, {"rows.csv", "isotherms.csv", "rows.md", "results.json"}, begun || force, consequence);
+    const bool replaces = force || recorded_reproduction(out);
+    require_no_outputs(out, {"rows.csv", "isotherms.csv", "rows.md", "results.json"}, replaces, consequence);
+    for (const RowRun& run : runs) {  // the decks may be there before the record
+        require_writable(
+            run.run().deck,
+            {.force = replaces, .mark = run.run().source, .consequence = consequence, .instead = another_directory});
+    }
+    std::ranges::for_each(runs, [&](const RowRun& run) { run.check(force); });
 }
 
 void tell_row(const RunLine& line, std::size_t done, std::size_t all) {
@@ -133,7 +137,9 @@ void submit_rows(std::vector<RowRun>& runs, const OpenDirectory& directory, cons
                  const ReproduceOptions& options) {
     const Gathered found = gathered(pointers_to(runs));
     const std::string submitted =
-        found.missing > 0 ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs))) : "";
+        found.missing > 0
+            ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs)), options.force)
+            : "";
     if (!found.ended()) {
         print_submitted(reproduction_words(), directory.path(), found, submitted, options.json);
         return;
@@ -163,12 +169,9 @@ void reproduce_command(const ReproduceOptions& options) {
     if (options.mode.slurm) {
         array.emplace("reproduce", out, *options.mode.slurm);
     }
-    require_usable(out, options.force);
     const ReproductionPlan plan{chosen_rows(options.rows), options.quick};
     std::vector<RowRun> runs = row_runs(plan, out);
-    for (const RowRun& run : runs) {
-        run.check(options.force);
-    }
+    require_usable(out, runs, options.force);
     make_directory(out);
     const DirectoryLock lock(out);
     const OpenDirectory& directory = lock.directory();

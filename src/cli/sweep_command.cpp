@@ -104,7 +104,9 @@ void submit_sweep(const SweepPlan& plan, std::vector<PointRun>& runs, const Open
                   const SlurmArray& array, const SweepOptions& options) {
     const Gathered found = gathered(pointers_to(runs));
     const std::string submitted =
-        found.missing > 0 ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs))) : "";
+        found.missing > 0
+            ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs)), options.force)
+            : "";
     if (!found.ended()) {
         print_submitted(sweep_words(), directory.path(), found, submitted, options.json);
         return;

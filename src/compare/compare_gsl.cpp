@@ -10,11 +10,11 @@
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/engine/time_loop.hpp"
 #include "ljmd/integrators/reference_trajectory.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/few_body/few_body.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/run/run_report.hpp"
 
@@ -187,7 +187,9 @@ std::string comparison_json(const GslComparison& comparison, const Deck& deck) {
     return to_json(json);
 }
 
-void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory) {
+void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory,
+                      bool force) {
+    const Replacing allowed{.force = force, .instead = another_directory};
     make_directory(directory);
     DataTable table{"compare-gsl",
                     {"step", "time", "position_error", "velocity_error", "energy_error", "angular_momentum_error",
@@ -197,8 +199,8 @@ void write_comparison(const GslComparison& comparison, const Deck& deck, const s
         table.rows.push_back({static_cast<double>(row.step), row.time, row.position_error, row.velocity_error,
                               row.energy_error, row.angular_momentum_error, row.reference_error});
     }
-    write_file_atomically(directory / "compare-gsl.csv", to_csv(table));
-    write_file_atomically(directory / "compare-gsl.json", comparison_json(comparison, deck) + "\n");
+    write_output(directory / "compare-gsl.csv", allowed, to_csv(table));
+    write_output(directory / "compare-gsl.json", allowed, comparison_json(comparison, deck) + "\n");
 }
 
 }  // namespace ljmd

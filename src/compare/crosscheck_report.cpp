@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/run/run_report.hpp"
 
@@ -163,11 +163,12 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
 }
 
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,
-                      const std::filesystem::path& directory) {
+                      const std::filesystem::path& directory, bool force) {
+    const Replacing allowed{.force = force, .instead = another_directory};
     make_directory(directory);
     const std::string name = "compare-" + options.with;
     const auto write = [&](const DataTable& table) {
-        write_file_atomically(directory / (table.name + ".csv"), to_csv(table));
+        write_output(directory / (table.name + ".csv"), allowed, to_csv(table));
     };
     if (!found.trajectory.rows.empty()) {
         write(trajectory_table(found.trajectory, name));
@@ -175,7 +176,7 @@ void write_crosscheck(const Crosscheck& found, const Deck& deck, const Crosschec
     if (found.ensemble && !found.ensemble->rdf.empty()) {
         write(rdf_table(*found.ensemble, name));
     }
-    write_file_atomically(directory / (name + ".json"), crosscheck_json(found, deck, options) + "\n");
+    write_output(directory / (name + ".json"), allowed, crosscheck_json(found, deck, options) + "\n");
 }
 
 }  // namespace ljmd

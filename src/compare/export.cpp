@@ -14,7 +14,6 @@
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -33,6 +32,7 @@ struct Export {
     const State& state;
     fs::path directory;
     bool forces;  ///< those of the state are current, and written
+    Replacing allowed;
 
     [[nodiscard]] Fluid fluid() const {
         if (const std::string& external = deck.given.external; !external.empty()) {
@@ -109,8 +109,8 @@ Notes export_lammps(const Export& what) {
     // Refuse unsupported potentials before anything is written.
     const std::string input = lammps_user_input(fluid, stage.time_step, stage.steps, title);
     make_directory(what.directory);
-    write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
-    write_file_atomically(what.directory / "in.lammps", input);
+    write_output(what.directory / LammpsFiles::start, what.allowed, lammps_data(fluid));
+    write_output(what.directory / "in.lammps", what.allowed, input);
     Notes notes{fmt::format("cd {} && lmp -in in.lammps", shell_word(what.directory)),
                 left_out(what.deck, what.state.step == 0)};
     if (fluid.tail && !lammps_has_tail(fluid.potential)) {
@@ -125,9 +125,9 @@ Notes export_lammps(const Export& what) {
 Notes export_openmm(const Export& what) {
     const OpenmmXml xml = openmm_xml(what.fluid(), exported_stage(what.deck).time_step);
     make_directory(what.directory);
-    write_file_atomically(what.directory / "system.xml", xml.system);
-    write_file_atomically(what.directory / "state.xml", xml.state);
-    write_file_atomically(what.directory / "integrator.xml", xml.integrator);
+    write_output(what.directory / "system.xml", what.allowed, xml.system);
+    write_output(what.directory / "state.xml", what.allowed, xml.state);
+    write_output(what.directory / "integrator.xml", what.allowed, xml.integrator);
     return {
         "in Python: system, state, integrator = "
         "[openmm.XmlSerializer.deserialize(open(name).read()) for name in\n"
@@ -139,15 +139,9 @@ Notes export_openmm(const Export& what) {
 Notes export_extxyz(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.xyz";
-    if (what.forces) {
-        ReplacementFile file(path);
-        OutputFile frame(file);
-        write_extended_xyz_frame(frame, what.state, {.velocities = true, .forces = true}, std::nullopt);
-        frame.close();
-        file.take_place();
-    } else {
-        write_configuration(path, what.state, true);
-    }
+    write_output(path, what.allowed, [&](OutputFile& file) {
+        write_extended_xyz_frame(file, what.state, {.velocities = true, .forces = what.forces}, std::nullopt);
+    });
     return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
 }
 
@@ -155,9 +149,9 @@ Notes export_extxyz(const Export& what) {
 Notes export_h5md(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.h5md";
-    ReplacementFile file(path);
+    NamedOutput file(path, what.allowed);
     const auto writer = make_trajectory_writer("h5md", what.state,
-                                               {.path = file.growing(),
+                                               {.path = file.growing().growing(),
                                                 .velocities = true,
                                                 .forces = what.forces,
                                                 .creator_version = build_info().version,
@@ -237,10 +231,11 @@ std::vector<fs::path> export_files(const std::string& target, const fs::path& di
 }
 
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
-                              const fs::path& directory, bool forces) {
+                              const fs::path& directory, bool forces, bool force) {
     const Target& chosen = find_target(target);
-    const Notes notes = forces ? chosen.write({deck, with_forces(deck, chosen, state), directory, true})
-                               : chosen.write({deck, state, directory, false});
+    const Replacing allowed{.force = force, .instead = another_directory};
+    const Notes notes = forces ? chosen.write({deck, with_forces(deck, chosen, state), directory, true, allowed})
+                               : chosen.write({deck, state, directory, false, allowed});
     return {export_files(target, directory), notes.usage, notes.warnings};
 }
 

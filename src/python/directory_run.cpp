@@ -145,7 +145,7 @@ void bind_directory_runs(py::module_& module) {
                py::arg("observables"), py::arg("external"), py::arg("progress"), py::arg("warn"));
     module.def("last_configuration", &last, py::arg("directory"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
-    module.def("write_report", &write_report, py::arg("directories"), py::arg("page"),
+    module.def("write_report", &write_report, py::arg("directories"), py::arg("page"), py::arg("force"),
                py::call_guard<py::gil_scoped_release>());
     module.def(
         "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },

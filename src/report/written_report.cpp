@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/report/page.hpp"
 #include "ljmd/report/report.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> write_report(const std::vector<fs::path>& directories, const fs::path& page) {
+std::vector<std::string> write_report(const std::vector<fs::path>& directories, const fs::path& page, bool force) {
+    const Replacing allowed{.force = force, .mark = page_mark};
+    require_writable(page, allowed);
     const PageContent content = report_on(directories);
-    write_file_atomically(page, page_html(content));
+    write_output(page, allowed, page_html(content));
     return content.warnings;
 }
 

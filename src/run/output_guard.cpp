@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <fstream>
+#include <utility>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
 
@@ -33,6 +38,31 @@ void require_usable(const fs::path& directory, const std::string& consequence) {
     }
 }
 
+/// Whether there is a file or a link of this name. A link may lead to a file or nowhere.
+/// @throws OutputRefused  something else has it
+bool is_file_or_link(const fs::path& path, const std::string& consequence,
+                     const std::pair<const char*, const char*>& instead) {
+    if (!path.has_filename() || (files::exists(path) && !files::is_regular_file(path))) {
+        throw OutputRefused(
+            fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.",
+                        path.string(), consequence),
+            {instead});
+    }
+    return files::is_taken(path);
+}
+
+/// Whether a file bears the mark of its kind. A link bears none: what it leads to may be somebody else's.
+bool bears(const fs::path& path, std::string_view mark) {
+    std::ifstream file;
+    if (mark.empty() || files::type_of(path) != fs::file_type::regular || !open_input(path, file).empty()) {
+        return false;
+    }
+    std::array<char, 4096> beginning{};
+    file.read(beginning.data(), beginning.size());
+    return std::string_view(beginning.data(), static_cast<std::size_t>(file.gcount())).find(mark) !=
+           std::string_view::npos;
+}
+
 }  // namespace
 
 OutputRefused::OutputRefused(const std::string& why, const Choices& choices)
@@ -44,25 +74,60 @@ std::vector<fs::path> existing_outputs(const fs::path& directory, const std::vec
     std::vector<fs::path> found;
     for (const std::string& name : names) {
         const fs::path path = directory / name;
-        const fs::file_type type = files::type_of(path);
-        if (type == fs::file_type::regular || type == fs::file_type::symlink) {
+        if (is_file_or_link(path, consequence, another_directory)) {
             found.push_back(path);
-        } else if (type != fs::file_type::not_found) {
-            throw OutputRefused(
-                fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.",
-                            path.string(), consequence),
-                {another_directory});
         }
     }
     return found;
 }
 
+void require_writable(const fs::path& file, const Replacing& allowed) {
+    if (!is_file_or_link(file, allowed.consequence, allowed.instead) || allowed.force || bears(file, allowed.mark)) {
+        return;
+    }
+    const bool is_link = files::type_of(file) == fs::file_type::symlink;
+    throw OutputRefused(fmt::format("{} is there already{}. {}.", file.string(),
+                                    is_link                ? ", a link, which is not followed"
+                                    : allowed.mark.empty() ? ""
+                                                           : ", and was not written by ljmd",
+                                    allowed.consequence),
+                        {allowed.instead, {"or replace it", " with --force"}});
+}
+
+namespace {
+
+Replacing checked(const fs::path& file, Replacing allowed) {
+    require_writable(file, allowed);
+    return allowed;
+}
+
+}  // namespace
+
+NamedOutput::NamedOutput(const fs::path& file, Replacing allowed)
+    : allowed_(checked(file, std::move(allowed))), growing_(file) {}
+
+void NamedOutput::take_place() {
+    require_writable(growing_.place().path(), allowed_);
+    growing_.take_place();
+}
+
+void write_output(const fs::path& file, const Replacing& allowed, const std::function<void(OutputFile&)>& fill) {
+    NamedOutput output(file, allowed);
+    OutputFile growing(output.growing());
+    fill(growing);
+    growing.close_on_disk();
+    output.take_place();
+}
+
+void write_output(const fs::path& file, const Replacing& allowed, std::string_view text) {
+    write_output(file, allowed, [text](OutputFile& output) { output.write(text); });
+}
+
 void require_no_outputs(const fs::path& directory, const std::vector<std::string>& names, bool force,
                         const std::string& consequence) {
-    const std::vector<fs::path> found = existing_outputs(directory, names, consequence);
-    if (!force && !found.empty()) {
-        throw OutputRefused(fmt::format("{} is there already. {}.", found.front().string(), consequence),
-                            {another_directory, {"or replace it", " with --force"}});
+    require_usable(directory, consequence);
+    for (const std::string& name : names) {
+        require_writable(directory / name, {.force = force, .consequence = consequence, .instead = another_directory});
     }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -305,6 +306,13 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
              {"doubts", doubts},
              {"warnings", warnings}},
             text};
+}
+
+std::vector<std::string> replica_output_names() {
+    std::vector<std::string> names{"results.json", "results.txt"};
+    std::ranges::transform(merged_tables, std::back_inserter(names),
+                           [](const char* name) { return fmt::format("{}.csv", name); });
+    return names;
 }
 
 void write_replicas(const Document& report, const std::vector<ChildRun>& runs, const OpenDirectory& directory) {

@@ -16,9 +16,9 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/open_directory.hpp"
 #include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/files/shell_word.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* folder_name = "slurm";  // in the directory of the study: the script, and what workers say
 constexpr const char* script_name = "worker.sh";
+constexpr const char* script_mark = "# A task of an array: the worker of that number.\n";
 
 /// Seconds before its time limit at which a task is told to stop. Slurm rounds them: the signal may come a minute
 /// earlier.
@@ -230,24 +231,27 @@ void SlurmArray::require_none() const {
 
 std::string SlurmArray::script(std::size_t tasks, std::size_t jobs) const {
     return fmt::format(
-        "#!/bin/sh\n"
-        "# A task of an array: the worker of that number.\n"
+        "#!/bin/sh\n{}"
         "exec {} {} --work \"$SLURM_ARRAY_TASK_ID/{}\" {} --jobs {}\n",
-        shell_word(this_program()), command_, tasks, shell_word(directory_), jobs);
+        script_mark, shell_word(this_program()), command_, tasks, shell_word(directory_), jobs);
 }
 
-std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jobs) const {
+std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jobs, bool force) const {
     const std::size_t tasks = std::min(max_array_tasks, (finished.size() + jobs - 1) / jobs);
     const std::vector<std::size_t> wanted = unfinished_tasks(finished, tasks);
     const OpenDirectory folder = OpenDirectory(directory_).made_within(folder_name);
-    write_file_atomically(folder / script_name, script(tasks, jobs));
+    const fs::path worker = folder.path() / script_name;
+    write_output(
+        worker,
+        {.force = force, .mark = script_mark, .consequence = "Nothing was submitted", .instead = another_directory},
+        script(tasks, jobs));
     // sbatch takes the last of two options: those above can be replaced by the user's, those below cannot.
     std::vector<std::string> arguments{fmt::format("--signal=B:USR1@{}", seconds_of_warning),
                                        fmt::format("--cpus-per-task={}", jobs),
                                        fmt::format("--output={}/%a.log", literal_pattern(folder.path()))};
     arguments.insert(arguments.end(), options_.begin(), options_.end());
-    arguments.insert(arguments.end(), {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted),
-                                       (folder.path() / script_name).string()});
+    arguments.insert(arguments.end(),
+                     {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted), worker.string()});
     const auto [status, text] = answer_of(sbatch_, arguments);
     const auto number = job_number(text);
     if (!number) {

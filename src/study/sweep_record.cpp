@@ -16,6 +16,7 @@
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_directory.hpp"
+#include "ljmd/study/replicas.hpp"
 
 namespace ljmd {
 
@@ -120,6 +121,9 @@ bool is_in_the_way(const fs::path& path) {
 std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, const fs::path& directory, bool force) {
     const auto recorded = recorded_sweep(directory);
     if (!recorded) {
+        if (plan.replicas > 0) {
+            require_no_outputs(directory, replica_output_names(), force, "Nothing was run");
+        }
         for (const char* name : {"sweep.csv", "points"}) {
             if (is_in_the_way(directory / name)) {
                 throw InputError(

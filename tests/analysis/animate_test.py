@@ -70,10 +70,10 @@ def test_without_ffmpeg(tmp: Path) -> None:
 
 def test_ffmpeg_that_fails(tmp: Path) -> None:
     run = write_eight(tmp / "run")
-    path = folder_with(tmp / "path", f"echo half > {run}/.half-animation.mp4; /bin/cat > /dev/null; exit 3")
+    path = folder_with(tmp / "path", 'for last; do :; done; echo half > "$last"; /bin/cat > /dev/null; exit 3')
     result = run_script("animate.py", run, "--frames", 2, "--formats", "mp4", path=path)
     check_error(result, 4, "animation.mp4", "cannot be written")
-    assert not list(run.glob("*.mp4")) and not list(run.glob(".half*")), list(run.iterdir())
+    assert not list(run.glob("*.mp4")) and not list(run.glob(".ljmd-*")), list(run.iterdir())
 
 
 def test_mistakes(tmp: Path) -> None:

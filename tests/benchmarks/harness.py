@@ -46,7 +46,7 @@ from ljmd_program import Ljmd, Variant  # noqa: E402
 from openmm_program import OpenMM  # noqa: E402
 from programs import Measurement, Program, ProgramFailed  # noqa: E402
 from report import Record  # noqa: E402
-from ljmd.errors import Error, FileError, InputError  # noqa: E402
+from ljmd.errors import Error, InputError  # noqa: E402
 from workload import Case  # noqa: E402
 
 PEERS: dict[str, Callable[[], Program]] = {
@@ -198,10 +198,7 @@ def say(line: str) -> None:
 
 def publish(record: Record, out: Path) -> None:
     """Page and figures; their paths are printed."""
-    try:
-        (out / "benchmark.md").write_text(report.markdown(record))
-    except OSError as error:
-        raise FileError(f"{out / 'benchmark.md'}: cannot be written: {error.strerror}") from None
+    style.save_text(report.markdown(record), out / "benchmark.md", "interleaved rounds (minimum .. maximum); time loops alone")
     print(out / "benchmark.md")
     for name, figure in figures.draw(record).items():
         style.save(figure, out / f"{name}.png")

@@ -43,11 +43,12 @@ import style  # noqa: E402
 import workload  # noqa: E402
 from programs import ProgramFailed  # noqa: E402
 from rank_model import BANDWIDTH, LATENCY, RANKS, SIZES, counted, modelled  # noqa: E402
-from ljmd.errors import FileError  # noqa: E402
 from ljmd.reading.files import damaged, read_json  # noqa: E402
 from style import plt  # noqa: E402
 
 SCHEMA = "ljmd-ranks"
+MARK = f'"schema": "{SCHEMA}"'
+HEADING = "# Runs that ranks share"
 VERSION = 3
 LAMMPS_INPUT = """units lj
 atom_style atomic
@@ -204,7 +205,7 @@ def markdown(record: dict[str, Any]) -> str:
         rows.append([name, *(f"{median(one[key] for one in rounds) / 1e6:.2f}" for key in ("alone", "shared", "parts")),
                      f"{median(ratios):.3f} ({ratios[0]:.3f} .. {ratios[-1]:.3f})",
                      f"{median(one['shared'] / one['alone'] for one in rounds):.2f}"])
-    lines = ["# Runs that ranks share"]
+    lines = [HEADING]
     if rows:
         lines += ["", f"{record['date']}, {host['cpu']}, {host['cores']} cores. {4 * options['cells']**3} atoms, {options['ranks']} ranks, "
                   f"{options['steps']} steps, lists {options['policy']}, medians of {options['repeats']} rounds, M atom-steps/s.", "",
@@ -255,14 +256,10 @@ def draw(record: dict[str, Any]) -> plt.Figure:
 
 
 def write(record: dict[str, Any], folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / "ranks.json").write_text(json.dumps(record, indent=1) + "\n")
-        (folder / "ranks.md").write_text(markdown(record))
-        if record["decompositions"]:
-            draw(record).savefig(folder / "ranks.png")
-    except OSError as error:
-        raise FileError(f"{error.filename}: {error.strerror}") from error
+    style.save_text(json.dumps(record, indent=1) + "\n", folder / "ranks.json", MARK)
+    style.save_text(markdown(record), folder / "ranks.md", HEADING)
+    if record["decompositions"]:
+        style.save(draw(record), folder / "ranks.png")
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -279,6 +276,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         record = read(options.redraw / "ranks.json")
         write(record, options.redraw)
         return 0
+    style.require_writable(options.out / "ranks.json", mark=MARK.encode())
     try:
         record: dict[str, Any] = {
             "schema": SCHEMA, "version": VERSION, "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),

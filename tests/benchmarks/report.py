@@ -23,7 +23,7 @@ from typing import Any, Iterable, Sequence
 
 import machine
 import ratios
-from ljmd.errors import FileError
+import style
 from ljmd.reading.files import damaged, read_json
 import workload
 
@@ -62,11 +62,7 @@ def summarise(record: Record) -> None:
 
 
 def write(record: Record, path: Path) -> None:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(record, indent=1) + "\n")
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
+    style.save_text(json.dumps(record, indent=1) + "\n", path, f'"schema": "{SCHEMA}"')
 
 
 def read(path: Path) -> Record:

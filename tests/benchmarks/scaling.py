@@ -43,12 +43,14 @@ import style  # noqa: E402
 import workload  # noqa: E402
 from ljmd_program import Ljmd, Variant  # noqa: E402
 from programs import ProgramFailed  # noqa: E402
-from ljmd.errors import FileError, InputError  # noqa: E402
+from ljmd.errors import InputError  # noqa: E402
 from ljmd.reading.files import damaged, read_json  # noqa: E402
 from scaling_cases import System  # noqa: E402
 from style import plt  # noqa: E402
 
 SCHEMA = "ljmd-scaling"
+MARK = f'"schema": "{SCHEMA}"'
+HEADING = "# Cost and memory of ljmd"
 VERSION = 1
 OPTIONS = ("threads", "precision", "simd", "policy", "repeats", "share")  # of the record
 # seconds for an atom and a step, without and for each neighbour, from which numbers of steps are chosen
@@ -155,7 +157,7 @@ def markdown(record: dict[str, Any]) -> str:
     header = ["family", "system", "atoms", "neighbours", "ns an atom and step", "range", "bytes an atom", "cost / line"]
     options, host = record["options"], record["host"]
     lines = [
-        "# Cost and memory of ljmd",
+        HEADING,
         "",
         f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start; "
         f"{options['threads']} of them used, {options['precision']} precision, lists {options['policy']}. Medians of "
@@ -230,17 +232,11 @@ def read(path: Path) -> dict[str, Any]:
 
 def publish(record: dict[str, Any], out: Path) -> None:
     """The record, the page and the figure; their paths are printed."""
-    pages = {"scaling.json": json.dumps(record, indent=1) + "\n"}
+    style.save_text(json.dumps(record, indent=1) + "\n", out / "scaling.json", MARK)
+    print(out / "scaling.json")
     if record["systems"]:
-        pages["scaling.md"] = markdown(record)
-    for name, text in pages.items():
-        try:
-            out.mkdir(parents=True, exist_ok=True)
-            (out / name).write_text(text)
-        except OSError as error:
-            raise FileError(f"{out / name}: cannot be written: {error.strerror}") from None
-        print(out / name)
-    if record["systems"]:
+        style.save_text(markdown(record), out / "scaling.md", HEADING)
+        print(out / "scaling.md")
         style.save(draw(record), out / "scaling.png")
 
 
@@ -252,6 +248,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         return 0
     if options.share:
         machine.share_cores()
+    style.require_writable(options.out / "scaling.json", mark=MARK.encode())
     systems = [one for one in scaling_cases.systems(options.largest) if one.family in options.families]
     with tempfile.TemporaryDirectory(prefix="ljmd-scaling-") as folder:
         record = measure(options, systems, Path(folder))

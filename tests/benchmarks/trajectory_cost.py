@@ -31,6 +31,7 @@ import machine  # noqa: E402
 import style  # noqa: E402
 from style import plt  # noqa: E402
 
+SCHEMA = "ljmd-trajectory-cost"
 SYSTEMS = {
     "2 bodies": """\
 [force]
@@ -164,8 +165,8 @@ def main() -> int:
     options.ljmd = options.ljmd.resolve()
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=options.out) as folder:
-        record = {"host": machine.describe(), "series": measure_all(options, Path(folder))}
-    (options.out / "trajectory-cost.json").write_text(json.dumps(record, indent=1) + "\n")
+        record = {"schema": SCHEMA, "host": machine.describe(), "series": measure_all(options, Path(folder))}
+    style.save_text(json.dumps(record, indent=1) + "\n", options.out / "trajectory-cost.json", f'"schema": "{SCHEMA}"')
     style.save(draw(record), options.out / "trajectory-cost.png")
     return 0
 

@@ -1,5 +1,7 @@
 #include "ljmd/report/written_report.hpp"
 
+#include "ljmd/report/page.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "report/report_fixtures.hpp"
 
@@ -26,4 +28,20 @@ TEST_CASE("a page that cannot be made is a warning, not an error") {
     std::string told;
     CHECK_FALSE(write_asked_report(deck, [&](const std::string& text) { told += text; }));
     CHECK_THAT(told, Contains("there is no report: "));
+}
+
+TEST_CASE("a page takes the place of an earlier one, and of another file by force alone") {
+    const DeckFolder folder(stars_deck);
+    const Deck deck = folder.load();
+    run_whole(deck);
+    const std::filesystem::path page = folder / "page.html";
+    for (int time = 1; time <= 2; ++time) {
+        CHECK(write_report({deck.directory}, page).empty());
+        CHECK(content_of(page).find(page_mark) < 4000);
+    }
+    std::ofstream(page) << "mine";
+    CHECK_THROWS_AS(write_report({deck.directory}, page), OutputRefused);
+    CHECK(content_of(page) == "mine");
+    CHECK(write_report({deck.directory}, page, true).empty());
+    CHECK(content_of(page) != "mine");
 }

@@ -64,3 +64,68 @@ TEST_CASE("the directory of a run is told by its record, whatever that is") {
     CHECK_THROWS_WITH(require_no_run(folder / "", "Nothing was run"),
                       Contains("is the directory of a run, whose files stay as they are. Nothing was run."));
 }
+
+TEST_CASE(
+    "a file that is named takes a free place, with force that of another one, and by its mark that of one of ours") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a";
+    write_output(file, {}, "first ours");
+    CHECK_THROWS_WITH(write_output(file, {}, "second"), Contains("/a is there already. Nothing was written.\n  choose "
+                                                                 "another name, or replace it"));
+    CHECK_THROWS_WITH(write_output(file, {.mark = "mark"}, "second"),
+                      Contains("there already, and was not written by "));
+    CHECK(content_of(file) == "first ours");
+    write_output(file, {.mark = "ours"}, "second");
+    write_output(file, {.force = true}, "third");
+    CHECK(content_of(file) == "third");
+    std::ofstream(file) << std::string(5000, ' ') << "ours";
+    CHECK_THROWS_AS(write_output(file, {.mark = "ours"}, "fourth"), OutputRefused);
+    CHECK(folder.count_files() == 1);
+}
+
+TEST_CASE("a link in the place of a named file is not followed, and replaced by force alone") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "mine") << "ours";
+    for (const char* target : {"mine", "nowhere"}) {
+        fs::create_symlink(target, folder / "a");
+        CHECK_THROWS_WITH(write_output(folder / "a", {.mark = "ours"}, "new"),
+                          Contains(", a link, which is not followed"));
+        write_output(folder / "a", {.force = true}, "new");
+        CHECK(fs::is_regular_file(fs::symlink_status(folder / "a")));
+        fs::remove(folder / "a");
+    }
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    for (const char* target : {"pipe", "."}) {
+        fs::create_symlink(target, folder / "a");
+        CHECK_THROWS_WITH(write_output(folder / "a", {.force = true}, "new"), Contains("/a is in the way: "));
+        fs::remove(folder / "a");
+    }
+    CHECK(content_of(folder / "mine") == "ours");
+    CHECK(folder.count_files() == 2);
+}
+
+TEST_CASE("what somebody puts in the place of a named file while it grows stays there") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a";
+    CHECK_THROWS_AS(write_output(file, {},
+                                 [&](OutputFile& growing) {
+                                     growing.write("ours");
+                                     std::ofstream(file) << "mine";
+                                 }),
+                    OutputRefused);
+    CHECK(content_of(file) == "mine");
+    CHECK(folder.count_files() == 1);
+}
+
+TEST_CASE("a named file that cannot be written leaves the old one and nothing else") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a";
+    std::ofstream(file) << "mine";
+    {
+        const FileSizeLimit limit(100);
+        CHECK_THROWS_AS(write_output(file, {.force = true}, std::string(1000, 'x')), FileError);
+    }
+    CHECK_THROWS_AS(write_output(folder / "", {.force = true}, "new"), InputError);
+    CHECK(content_of(file) == "mine");
+    CHECK(folder.count_files() == 1);
+}

@@ -140,6 +140,7 @@ struct PlotOptions {
     std::string out{};                 ///< file or directory; empty: beside what is drawn
     std::string against{};             ///< key of a sweep on the axis; empty: the last
     int relative_to = 0;               ///< body from which few bodies are seen, counted from 1; 0: the first
+    bool force = false;                ///< replace files that are no pictures of ljmd
 };
 
 /// ljmd plot DIR|FILE [NAME ...]: draw pictures, by the scripts in analysis/. On success Python takes over the process.
@@ -159,6 +160,7 @@ void info_command(const InfoOptions& options);
 struct ReportOptions {
     std::vector<std::string> directories = {};
     std::string out = {};  ///< file; empty: report.html in the directory, or in the working directory for several
+    bool force = false;    ///< replace a file that is no page of ljmd
     bool open = false;     ///< open the page in a browser
     bool json = false;     ///< print the page's data instead of writing a page
 };

@@ -43,7 +43,10 @@ struct GslComparison {
 [[nodiscard]] std::string comparison_table(const GslComparison& comparison, const Deck& deck);
 [[nodiscard]] std::string comparison_json(const GslComparison& comparison, const Deck& deck);
 
-/// Write compare-gsl.csv and compare-gsl.json into a directory, creating it if needed. @throws FileError
-void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory);
+/// Write compare-gsl.csv and compare-gsl.json into a directory, creating it if needed.
+/// @param force  replace files of these names
+/// @throws OutputRefused as require_writable(); FileError
+void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory,
+                      bool force = false);
 
 }  // namespace ljmd

@@ -19,8 +19,10 @@ namespace ljmd {
 [[nodiscard]] std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options);
 
 /// Write compare-WITH.json, compare-WITH-trajectory.csv and compare-WITH-rdf.csv into a directory, creating it if
-/// needed; tables without rows are not written. @throws FileError
+/// needed; tables without rows are not written.
+/// @param force  replace files of these names
+/// @throws OutputRefused as require_writable(); FileError
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,
-                      const std::filesystem::path& directory);
+                      const std::filesystem::path& directory, bool force = false);
 
 }  // namespace ljmd

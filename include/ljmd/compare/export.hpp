@@ -31,8 +31,8 @@ struct Exported {
     std::vector<std::string> warnings;  ///< differences between ljmd and the other program
 };
 
-/// Export a configuration of a fluid, with potential and time step if the format has them. Files are replaced
-/// atomically. All numbers are in reduced units.
+/// Export a configuration of a fluid, with potential and time step if the format has them. Each file takes
+/// its place when it is complete. All numbers are in reduced units.
 ///
 ///     lammps   start.data, in.lammps                      its own input: energies of the start, then velocity Verlet
 ///     openmm   system.xml, state.xml, integrator.xml      sigma = 1 nm, epsilon = 1 kJ/mol, m = 1 u, tau = 1 ps
@@ -40,11 +40,12 @@ struct Exported {
 ///     h5md     start.h5md                                 one frame, with velocities
 ///
 /// @param forces  with the forces of the deck's potential, in extxyz and h5md
-/// @pre check_export accepted it
+/// @param force   replace files of these names
 /// @throws InputError  the other program does not have this potential, or an external force acted on the atoms; forces
-/// are asked for where the format has none, or their potential or force is that of a program
+/// are asked for where the format has none, or their potential or force is that of a program; OutputRefused as
+/// require_writable()
 /// @throws FileError
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
-                              const std::filesystem::path& directory, bool forces = false);
+                              const std::filesystem::path& directory, bool forces = false, bool force = false);
 
 }  // namespace ljmd

@@ -9,6 +9,9 @@ namespace ljmd {
 
 // The page: one HTML file with style, script and data in it, which asks for nothing from anywhere.
 
+/// What every page has in its head, and tells it from the files of others.
+inline constexpr std::string_view page_mark = "<meta name=\"generator\" content=\"ljmd\">";
+
 /// The files of src/report/web/dist that are built into the program.
 struct PageBundle {
     std::string_view frame;   ///< index.html, with places for the other parts

@@ -10,11 +10,12 @@
 
 namespace ljmd {
 
-/// Write the page about one or several directories, in place of the one that is there.
+/// Write the page about one or several directories, in place of an earlier page.
+/// @param force  also in place of any other file
 /// @return one warning for each file that could not be read
-/// @throws InputError, DataError as report_on(); OutputError
+/// @throws InputError, DataError as report_on(); OutputRefused as require_writable(); FileError
 std::vector<std::string> write_report(const std::vector<std::filesystem::path>& directories,
-                                      const std::filesystem::path& page);
+                                      const std::filesystem::path& page, bool force = false);
 
 /// Write the page about a run that has ended, if its deck asks for one (`[output] report = true`). An error is only a
 /// warning, because the results of the run are complete.

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -26,6 +30,48 @@ class OutputRefused : public InputError {
 };
 
 inline constexpr std::pair<const char*, const char*> another_directory{"choose another directory", " with --out"};
+
+inline constexpr std::pair<const char*, const char*> another_name{"choose another name", ""};
+
+/// What a file that is written under a given name may take the place of.
+struct Replacing {
+    /// Any file or link. A link is replaced itself, never what it leads to.
+    bool force = false;
+    /// Files that ljmd wrote: this text stands in their first 4 KiB. Empty: none.
+    std::string_view mark = {};
+    // For the message of a refusal.
+    std::string consequence = "Nothing was written";
+    std::pair<const char*, const char*> instead = another_name;
+};
+
+/// Refuse a file that must not be written. Changes nothing. For commands that compute long before they write.
+/// @throws OutputRefused  a file or link is there that may not be replaced, or something else: a directory, a pipe, a
+/// device, a link to one of these
+void require_writable(const std::filesystem::path& file, const Replacing& allowed);
+
+/// The one door for files outside of directories that a command has locked: a file grows beside the place that it is
+/// given, and takes it when it is complete. See ReplacementFile for what a failure leaves: the old file, and no other.
+class NamedOutput {
+  public:
+    /// @throws OutputRefused as require_writable(); FileError
+    NamedOutput(const std::filesystem::path& file, Replacing allowed);
+
+    /// Where it grows.
+    [[nodiscard]] const ReplacementFile& growing() const { return growing_; }
+
+    /// Move it to its place. @pre the file was synchronised
+    /// @throws OutputRefused when something else has been put there meanwhile; FileError
+    void take_place();
+
+  private:
+    Replacing allowed_;
+    ReplacementFile growing_;
+};
+
+/// Write a file through a NamedOutput. @throws as NamedOutput, and whatever `fill` throws
+void write_output(const std::filesystem::path& file, const Replacing& allowed,
+                  const std::function<void(OutputFile&)>& fill);
+void write_output(const std::filesystem::path& file, const Replacing& allowed, std::string_view text);
 
 // Checks of every command before it writes, so that nothing is replaced without permission.
 

@@ -38,6 +38,9 @@ inline constexpr Index max_replicas = 10'000;
 [[nodiscard]] Document replicas_report(const Deck& deck, const std::vector<ChildRun>& runs,
                                        const std::filesystem::path& directory);
 
+/// The files that write_replicas() writes.
+[[nodiscard]] std::vector<std::string> replica_output_names();
+
 /// Write results.json, results.txt and the merged tables of the runs into their directory. @throws FileError
 void write_replicas(const Document& report, const std::vector<ChildRun>& runs, const OpenDirectory& directory);
 

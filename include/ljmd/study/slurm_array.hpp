@@ -44,8 +44,9 @@ class SlurmArray {
     /// Submit an array for the runs that are not finished.
     /// @param jobs  runs at a time in each task
     /// @return "array 17 of 3 tasks"
-    /// @throws InputError  sbatch refuses it
-    [[nodiscard]] std::string submit(const std::vector<bool>& finished, std::size_t jobs) const;
+    /// @param force  replace a script that is none of ours
+    /// @throws InputError  sbatch refuses it; OutputRefused as require_writable(); FileError
+    [[nodiscard]] std::string submit(const std::vector<bool>& finished, std::size_t jobs, bool force) const;
 
   private:
     [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;

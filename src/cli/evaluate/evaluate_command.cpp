@@ -17,7 +17,7 @@
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/lammps_dump_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -133,9 +133,8 @@ std::optional<fs::path> frames_to_write(const EvaluateOptions& options) {
                         ".lammpsdump for a dump of LAMMPS",
                         in_quotes(options.out)));
     }
-    const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    require_no_run(directory, "Nothing was written");
-    require_no_outputs(directory, {path.filename().string()}, options.force, "Nothing was written");
+    require_no_run(path.has_parent_path() ? path.parent_path() : fs::path("."), "Nothing was written");
+    require_writable(path, {.force = options.force});
     return path;
 }
 
@@ -254,7 +253,7 @@ void evaluate_command(const EvaluateOptions& options) {
         printer.finish();
     };
     if (written) {
-        write_file_atomically(*written, [&](OutputFile& file) { evaluate_all(&file); });
+        write_output(*written, {.force = options.force}, [&](OutputFile& file) { evaluate_all(&file); });
     } else {
         evaluate_all(nullptr);
     }

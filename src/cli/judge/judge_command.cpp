@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,7 +18,6 @@
 #include "ljmd/core/units.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/files/shown_path.hpp"
 #include "ljmd/io/tables/json_file.hpp"
@@ -38,6 +38,8 @@ constexpr const char* problem_folder = "problem";
 constexpr const char* answer_folder = "answer";
 constexpr const char* log_name = "engine.log";
 constexpr const char* judgement_file = "judge.json";
+const std::vector<std::string> problem_files{ExchangeFiles::problem, ExchangeFiles::start,
+                                             ExchangeFiles::start_for_lammps};
 
 double seconds_of(const std::string& timeout) {
     const auto seconds = parse_wall_time(timeout);
@@ -56,6 +58,28 @@ void bring_to_rest(Fluid& fluid) {
     }
     for (Vec3& v : fluid.velocities) {
         v -= mean;
+    }
+}
+
+/// Refuse a directory that a judgement cannot be written to. Of what is in it nothing is removed but the answer of an
+/// earlier engine, which lies beside its problem. @throws OutputRefused
+void check_out(const fs::path& out, bool force) {
+    const std::string consequence = "Nothing was judged";
+    const fs::path exchange(exchange_folder);
+    std::vector<std::string> names{judgement_file, exchange / log_name};
+    std::ranges::transform(problem_files, std::back_inserter(names),
+                           [&](const std::string& name) { return (exchange / problem_folder / name).string(); });
+    require_no_outputs(out, names, force, consequence);
+    const bool is_ours = files::is_taken(out / exchange / problem_folder / ExchangeFiles::problem);
+    for (const fs::path& folder : {exchange, exchange / problem_folder, exchange / answer_folder}) {
+        const fs::file_type type = files::type_of(out / folder);
+        const bool is_foreign = folder == exchange / answer_folder && !is_ours;
+        if (type != fs::file_type::not_found && (type != fs::file_type::directory || is_foreign)) {
+            throw OutputRefused(fmt::format("{} is in the way: files of an engine are to be written there, and it is "
+                                            "no folder of an earlier comparison. {}.",
+                                            (out / folder).string(), consequence),
+                                {another_directory});
+        }
     }
 }
 
@@ -80,10 +104,11 @@ class Session {
         const std::string line = engine_command(command, input, output);
         const Problem problem = problem_with(moment());
         install_stop_handlers();
-        files::try_to_remove_all(place / answer_folder);  // with --force: of an earlier engine
         make_directory(input);
+        write_problem(problem, input, options_.force);
+        files::try_to_remove_all(output);  // with --force: of an earlier engine
+        files::remove(place / log_name);   // no child process follows a link
         make_directory(output);
-        write_problem(problem, input);
         say("running the engine");
         finish(problem, scratch ? answer_of_engine(line, place, problem, {{output, "{output}"}, {input, "{input}"}},
                                                    "\n  --out DIR keeps the files of the engine")
@@ -142,6 +167,8 @@ class Session {
         }
     }
 
+    [[nodiscard]] Replacing allowed() const { return {.force = options_.force, .instead = another_directory}; }
+
     [[nodiscard]] Problem problem_with(Fluid start) const {
         Problem problem = problem_of(deck_, std::move(start), compared_);
         problem.deck_hash = deck_hash(deck_);
@@ -170,15 +197,15 @@ class Session {
     }
 
     void hand_out(const fs::path& directory) {
-        if (has_answer(directory) || files::exists(directory / ExchangeFiles::start) ||
-            files::exists(directory / ExchangeFiles::start_for_lammps)) {
+        if (has_answer(directory)) {
             throw InputError(fmt::format(
                 "{} has files of an engine, but no {}: it is not known what they answer. Nothing was written.",
                 directory.string(), ExchangeFiles::problem));
         }
+        require_no_outputs(directory, problem_files, options_.force, "Nothing was written");
         const Problem problem = problem_with(moment());
         make_directory(directory);
-        write_problem(problem, directory);
+        write_problem(problem, directory, options_.force);
         if (options_.json) {
             print_result(to_json({{"with", compared_.with},
                                   {"problem", directory.string()},
@@ -205,7 +232,7 @@ class Session {
         const std::string json = judgement_json(found, deck_, compared_.with) + "\n";
         if (!out_.empty()) {
             make_directory(out_);
-            write_file_atomically(fs::path(out_) / judgement_file, json);
+            write_output(fs::path(out_) / judgement_file, allowed(), json);
         }
         for (const std::string& text : found.warnings) {
             warn(text);
@@ -264,8 +291,7 @@ void check_engine_options(const CrosscheckOptions& compared) {
 void judge_engine(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
                   const std::string& out) {
     if (!out.empty()) {
-        require_no_outputs(out, {judgement_file, std::string(exchange_folder) + "/" + log_name}, options.force,
-                           "Nothing was judged");
+        check_out(out, options.force);
     }
     Session session(deck, std::move(fluid), options, compared, out);
     if (compared.with.starts_with(by_command)) {

@@ -6,12 +6,12 @@
 
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/run/output_guard.hpp"
 
 namespace ljmd {
 
@@ -131,11 +131,13 @@ std::string problem_json(const Problem& problem) {
     return to_json(json) + "\n";
 }
 
-void write_problem(const Problem& problem, const std::filesystem::path& directory) {
-    State state = state_of(problem.fluid);
-    write_file_atomically(directory / ExchangeFiles::start_for_lammps, lammps_data(problem.fluid));
-    write_configuration(directory / ExchangeFiles::start, state, true);
-    write_file_atomically(directory / ExchangeFiles::problem, problem_json(problem));
+void write_problem(const Problem& problem, const std::filesystem::path& directory, bool force) {
+    const Replacing allowed{.force = force, .instead = another_directory};
+    const State state = state_of(problem.fluid);
+    write_output(directory / ExchangeFiles::start_for_lammps, allowed, lammps_data(problem.fluid));
+    write_output(directory / ExchangeFiles::start, allowed,
+                 [&](OutputFile& file) { write_extended_xyz_frame(file, state, {.velocities = true}, std::nullopt); });
+    write_output(directory / ExchangeFiles::problem, allowed, problem_json(problem));
 }
 
 Fluid read_start(const std::filesystem::path& directory, const PairPotential& potential, bool tail) {

@@ -42,8 +42,9 @@ struct ExchangeFiles {
 [[nodiscard]] std::string problem_json(const Problem& problem);
 
 /// Write problem.json, start.xyz (positions in the box, velocities, ids from 1) and start.data (LAMMPS data).
-/// @throws FileError
-void write_problem(const Problem& problem, const std::filesystem::path& directory);
+/// @param force  replace files of these names
+/// @throws OutputRefused as require_writable(); FileError
+void write_problem(const Problem& problem, const std::filesystem::path& directory, bool force = false);
 
 /// The configuration that was written, to the last bit; the potential is that of the problem.
 /// @throws DataError  start.xyz cannot be read, or has no velocities
