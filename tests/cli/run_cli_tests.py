@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
 
-MODULES = ["commands", "pages", "terminals", "analyzes", "trajectories", "evaluates", "compares", "judges", "equations", "deck_errors", "few_body_errors", "effects", "exports", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "resumes", "processes", "not_files", "foreign_files", "taken_names", "reproduces", "sweeps", "workers", "until", "references", "reports", "decks", "plots"]
+MODULES = ["commands", "pages", "terminals", "analyzes", "trajectories", "evaluates", "compares", "judges", "equations", "deck_errors", "few_body_errors", "effects", "exports", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "resumes", "processes", "not_files", "foreign_files", "taken_names", "every_taken_name", "reproduces", "sweeps", "workers", "until", "references", "reports", "decks", "plots"]
 
 
 def take_usual_signals():

@@ -43,8 +43,8 @@ class SlurmArray {
 
     /// Submit an array for the runs that are not finished.
     /// @param jobs  runs at a time in each task
-    /// @return "array 17 of 3 tasks"
     /// @param force  replace a script that is none of ours
+    /// @return "array 17 of 3 tasks"
     /// @throws InputError  sbatch refuses it; OutputRefused as require_writable(); FileError
     [[nodiscard]] std::string submit(const std::vector<bool>& finished, std::size_t jobs, bool force) const;
 
