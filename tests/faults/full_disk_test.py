@@ -28,9 +28,11 @@ import waiting
 OUTPUT_ERROR = 4
 
 
-def check_message(talk: str) -> None:
+def check_message(talk: str, directory: Path) -> None:
     if talk.count("error: ") != 1 or "No space left on device" not in talk:
         raise Failure(f"says: {talk.strip()}")
+    if not list(directory.glob("checkpoint.?")) and "no checkpoint yet: begin it again" not in talk:
+        raise Failure(f"cannot be resumed, but says: {talk.strip()}")
 
 
 def run_without_space(runner: Runner, command: Command, folder: Path, fault: str) -> bool:
@@ -41,7 +43,7 @@ def run_without_space(runner: Runner, command: Command, folder: Path, fault: str
     if process.returncode != 0:  # 0: nothing was written from that call on
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
-        check_message(talk)
+        check_message(talk, directory)
         before = [path.name for path in command.killed.glob(".*")] if command.killed else []
         if left := [path.name for path in directory.glob(".*") if path.name not in before]:
             raise Failure(f"has left {left}")
@@ -84,7 +86,7 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
             return False
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
-        check_message(talk)
+        check_message(talk, directory)
         if directory.exists():
             subprocess.run(["mount", "-o", "remount,size=10m", str(mount)], check=True)
             runner.go_on(directory, case.deck, kill_again=False)
