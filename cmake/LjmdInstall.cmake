@@ -2,6 +2,9 @@
 # library, decks, analysis scripts, documentation. The Python package: cmake/LjmdPython.cmake; the manual page and
 # completion: cmake/LjmdPages.cmake.
 include(CMakePackageConfigHelpers)
+# Folders are open to all users, also where the umask of who installs closes new ones. Files are by CMake's default.
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+                                                WORLD_EXECUTE)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
 install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -65,3 +68,8 @@ if(LJMD_USES_OPENMM)
 endif()
 configure_file(cmake/ljmd.pc.in ljmd.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ljmd.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(NOT TARGET uninstall)
+    add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D manifest=${CMAKE_BINARY_DIR}/install_manifest.txt
+                                        -P ${CMAKE_CURRENT_LIST_DIR}/LjmdUninstall.cmake VERBATIM)
+endif()
