@@ -27,6 +27,10 @@ class OutputRefused : public InputError {
 
 inline constexpr std::pair<const char*, const char*> another_directory{"choose another directory", " with --out"};
 
+/// The name of a directory that is made for outputs: `name` and `ending`. Of a name that is too long with it for a file
+/// system, the end is left out.
+[[nodiscard]] std::string output_name(std::string name, const std::string& ending);
+
 // Checks of every command before it writes, so that nothing is replaced without permission.
 
 /// The files and links in a directory that have one of these names.
