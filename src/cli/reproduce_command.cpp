@@ -161,7 +161,7 @@ void reproduce_command(const ReproduceOptions& options) {
     const fs::path out = options.out;
     std::optional<SlurmArray> array;
     if (options.mode.slurm) {
-        array.emplace("reproduce", out, *options.mode.slurm);
+        array.emplace("reproduce", out, *options.mode.slurm, until_signal());
     }
     require_usable(out, options.force);
     const ReproductionPlan plan{chosen_rows(options.rows), options.quick};
