@@ -2,9 +2,6 @@
 # library, decks, analysis scripts, documentation. The Python package: cmake/LjmdPython.cmake; the manual page and
 # completion: cmake/LjmdPages.cmake.
 include(CMakePackageConfigHelpers)
-# Folders are open to all users, also where the umask of who installs closes new ones. Files are by CMake's default.
-set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
-                                                WORLD_EXECUTE)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
 install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})

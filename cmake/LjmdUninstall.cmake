@@ -1,6 +1,7 @@
 # The target `uninstall`: removes what the last installation of this build has put anywhere, and the folders of ljmd's own
 # that are empty then. Run as
 #     cmake -D manifest=<install_manifest.txt> -P LjmdUninstall.cmake
+cmake_policy(VERSION 3.25)
 if(NOT EXISTS ${manifest})
     message(FATAL_ERROR "Nothing to uninstall: there is no ${manifest}, which 'cmake --install' writes.")
 endif()
