@@ -65,3 +65,8 @@ if(LJMD_USES_OPENMM)
 endif()
 configure_file(cmake/ljmd.pc.in ljmd.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ljmd.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(NOT TARGET uninstall)
+    add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D manifest=${CMAKE_BINARY_DIR}/install_manifest.txt
+                                        -P ${CMAKE_CURRENT_LIST_DIR}/LjmdUninstall.cmake VERBATIM)
+endif()

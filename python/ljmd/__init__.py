@@ -95,7 +95,10 @@ def __dir__() -> list[str]:
 def _loaded(place: str):
     """A module of the package. One that takes the compiled part imports it from here, so that there is one message without it."""
     try:
-        return importlib.import_module(f"{__name__}.{place}")
+        module = importlib.import_module(f"{__name__}.{place}")
+        if place == "_core":  # a second interpreter gets what the first one has made, without a word to it
+            module.require_main_interpreter()
+        return module
     except ImportError as error:
         if place != "_core":
             raise

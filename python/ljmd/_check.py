@@ -8,6 +8,7 @@ import operator
 import os
 import pathlib
 import warnings
+from collections.abc import Iterable, Mapping
 
 from .errors import InputError, RunWarning
 
@@ -28,6 +29,8 @@ def whole(value, name: str, least: int) -> int:
         raise InputError(f"{name}: {value!r} is no whole number")
     if found < least:
         raise InputError(f"{name}: {found} is not allowed: {least} or more")
+    if found >= 2**63:
+        raise InputError(f"{name}: so large a number is not allowed: {least} or more, below 2^63")
     return found
 
 
@@ -35,7 +38,10 @@ def number(value, name: str, least: float = -math.inf, above: float = -math.inf)
     """A finite real number, of Python or NumPy; neither a truth value nor text."""
     if not isinstance(value, numbers.Real) or isinstance(value, bool):
         raise InputError(f"{name}: {value!r} is no number")
-    found = float(value)
+    try:
+        found = float(value)
+    except OverflowError:
+        found = math.inf
     if not (math.isfinite(found) and found >= least and found > above):
         wanted = f" above {above:g}" if above > -math.inf else f", {least:g} or more" if least > -math.inf else ""
         raise InputError(f"{name}: {value!r} is not allowed: a finite number{wanted}")
@@ -56,7 +62,52 @@ def truth(value, name: str) -> bool:
 def text(value, name: str) -> str:
     if not isinstance(value, str):
         raise InputError(f"{name}: {value!r} is no text")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{name}: {value!r} is no text: half of a surrogate pair is no character") from None
     return value
+
+
+def table(value, name: str) -> dict:
+    """A mapping with names; None: an empty one."""
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
+        raise InputError(f"{name}: {value!r:.60}: a table is needed, with texts as keys")
+    return dict(value)
+
+
+def listed(value, name: str) -> list:
+    """The members of a list or of anything else that has some, but for texts and tables."""
+    if not isinstance(value, (str, bytes, Mapping)) and isinstance(value, Iterable):
+        try:
+            return list(value)
+        except TypeError:  # an array of NumPy without dimensions
+            pass
+    raise InputError(f"{name}: {value!r:.60}: a list is needed")
+
+
+def path(value, name: str) -> str:
+    """Of a file or directory, as text."""
+    try:
+        found = os.fspath(value)
+    except TypeError:
+        found = None
+    if isinstance(found, bytes):
+        found = os.fsdecode(found)
+    if not isinstance(found, str) or "\0" in found:
+        raise InputError(f"{name}: {value!r:.60} is no path")
+    try:
+        os.fsencode(found)
+    except UnicodeEncodeError:
+        raise InputError(f"{name}: {value!r:.60} is no path that this system can write") from None
+    return found
+
+
+def progress_of(value):
+    """True, False or a function."""
+    return value if callable(value) else value is not None and truth(value, "progress")
 
 
 def simd_of(simd) -> str:
@@ -74,7 +125,10 @@ def real_array(array, name: str):
     except ValueError:  # rows of several lengths
         found = np.array(None)
     if found.dtype.kind in "fiu" or (found.dtype.kind == "O" and all(isinstance(each, numbers.Real) for each in found.flat)):
-        return found.astype(float, copy=False)
+        try:
+            return found.astype(float, copy=False)
+        except OverflowError:
+            raise InputError(f"{name}: a number is too large for double precision") from None
     raise InputError(f"{name}: an array of real numbers is needed")
 
 
@@ -85,10 +139,12 @@ def not_masked(array, name: str) -> None:
         raise InputError(f"{name}: some of its numbers are masked, which stands for none: leave them out, or fill them")
 
 
-def directory_of(path) -> pathlib.Path:
-    if os.fspath(path) == "":  # pathlib would take it for the working directory
+def directory_of(value) -> pathlib.Path:
+    """Absolute from here on: a function of the user's may go to another working directory."""
+    found = path(value, "directory")
+    if found == "":  # pathlib would take it for the working directory
         raise InputError("the name of the directory is empty")
-    return pathlib.Path(path)
+    return pathlib.Path(found).absolute()
 
 
 def seconds_of(walltime):
@@ -97,7 +153,7 @@ def seconds_of(walltime):
         return None
     if isinstance(walltime, str):
         from . import _core
-        return _core.seconds_of(walltime)
+        return _core.seconds_of(text(walltime, "walltime"))
     if not (isinstance(walltime, numbers.Real) and not isinstance(walltime, bool) and 0 < walltime < 1e9):
         raise InputError(f"walltime: {walltime!r} is not allowed: seconds above 0, or a text as \"90s\" or \"2h\"")
     return float(walltime)

@@ -7,6 +7,8 @@ import sys
 import time
 import warnings
 
+from . import _check
+
 
 class _Line:
     """Per cent and steps per second, in one line of the terminal."""
@@ -41,8 +43,9 @@ class _Bar:
 @contextlib.contextmanager
 def shown(wanted, total: int, first: int = 0, unit: str = "step"):
     """What the engine calls with the number of steps done, or None. `wanted`: True, False, or a function of one's own."""
+    wanted = _check.progress_of(wanted)
     if callable(wanted) or not wanted:
-        yield wanted if callable(wanted) else None
+        yield wanted or None
         return
     try:
         with warnings.catch_warnings():

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import os
 
+from . import _check
 from .errors import InputError
 
 
-def literal(value) -> str:
+_DEEPEST = 32  # tables and lists within one another, as the reader allows; one that holds itself has no end
+
+
+def literal(value, depth: int = 0) -> str:
     """A value as TOML. NumPy's numbers and arrays, paths and tuples count as what they hold."""
+    if depth > _DEEPEST:
+        raise InputError(f"a deck cannot hold lists and tables more than {_DEEPEST} within one another")
+    if depth == 0:
+        _check.not_masked(value, "a value of a deck")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -20,14 +28,15 @@ def literal(value) -> str:
     if isinstance(value, str):
         return _string(value)
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(literal(item) for item in value) + "]"
+        return "[" + ", ".join(literal(item, depth + 1) for item in value) + "]"
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key(k)} = {literal(v)}" for k, v in value.items()) + " }" if value else "{}"
+        return "{ " + ", ".join(f"{key(k)} = {literal(v, depth + 1)}" for k, v in value.items()) + " }" if value else "{}"
     raise InputError(f"a deck cannot hold {value!r} of type {type(value).__name__}: "
                      "allowed are numbers, text, true or false, lists and tables")
 
 
 def _string(text: str) -> str:
+    _check.text(text, "a deck")
     escapes = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
     return '"' + "".join(escapes.get(c) or (c if c >= " " and c != "\x7f" else f"\\u{ord(c):04x}") for c in text) + '"'
 

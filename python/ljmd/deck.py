@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import os
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar, overload
 
@@ -23,6 +22,7 @@ _Kind = TypeVar("_Kind")
 
 
 _Assigned = Mapping[str, Any]
+_TABLES = frozenset(("system", "potential", "neighbors", "performance", "output", "argon", "force"))
 
 
 def _table(key: str, kind: type[_Kind], meaning: str) -> Attribute[_Kind, _Assigned | None]:
@@ -46,9 +46,9 @@ class Deck:
 
     def __init__(self, tables: dict | None = None):
         self._tables: dict = {}
-        self._origin: tuple | None = None  # name, text, settings and tables of what was read
+        self._origin: tuple | None = None  # name, text, settings and tables, as text, of what was read
         self._pair: Pair | None = None
-        for name, value in (tables or {}).items():
+        for name, value in _check.table(tables, "tables").items():
             self._put(name, value)
 
     @classmethod
@@ -57,19 +57,19 @@ class Deck:
 
         Raises InputError for a file that cannot be read, or that is no TOML.
         """
-        path = os.fspath(path)
+        path = _check.path(path, "path")
         return cls._read(path, _core.read_file(path), set)
 
     @classmethod
     def parse(cls, text: str, *, set: dict | None = None, name: str = "Deck") -> "Deck":  # noqa: A002
         """The deck in a text. `name` stands before its lines in messages."""
-        return cls._read(name, text, set)
+        return cls._read(_check.text(name, "name"), _check.text(text, "text"), set)
 
     @classmethod
     def _read(cls, name, text, changes):
-        settings = [f"{key}={_toml.literal(value)}" for key, value in (changes or {}).items()]
+        settings = [f"{_check.text(key, 'set')}={_toml.literal(value)}" for key, value in _check.table(changes, "set").items()]
         deck = cls(_core.parse(name, text, settings))
-        deck._origin = (name, text, settings, copy.deepcopy(deck._tables))
+        deck._origin = (name, text, settings, deck._written())
         return deck
 
     @classmethod
@@ -91,7 +91,9 @@ class Deck:
         The deck has no stages yet: `deck.stages = [ljmd.Stage(...), ...]`.
         """
         start = {"file": file} if file is not None else {"lattice": {"type": lattice, "atoms": atoms}, "density": density}
-        if tail is None and truncation in ("cut", "switched"):
+        if tail is not None:
+            tail = _check.truth(tail, "tail")
+        elif isinstance(truncation, str) and truncation in ("cut", "switched"):
             tail = True
         forces = {"type": potential, "cutoff": cutoff, "truncation": truncation, "tail": tail, **parameters}
         return cls({"title": title, "argon": substance, "system": {**start, "temperature": temperature, "seed": seed},
@@ -110,7 +112,11 @@ class Deck:
         return cls({"title": title, "force": {"type": force, **options}, "body": bodies})
 
     def _put(self, name, value) -> None:
-        if name == "stage":
+        if name in _TABLES and not isinstance(value, (Mapping, type(None))):
+            raise InputError(f"{name}: {value!r:.60}: a table is needed, {{...}}")
+        if name == "title" and value is not None:
+            value = _check.text(value, name)
+        elif name == "stage":
             value = [stage if isinstance(stage, Stage) else stage_of(stage) for stage in value]
         elif name == "analysis" and value is not None:
             if not (isinstance(value, Mapping) and all(isinstance(options, Mapping) for options in value.values())):
@@ -144,9 +150,9 @@ class Deck:
     def _give_stages(self, stages: Stage | Iterable[_Assigned]) -> None:
         if isinstance(stages, Stage):
             stages = [stages]
-        given: list = list(stages) if isinstance(stages, Iterable) else [stages]
+        given = [stages] if isinstance(stages, Mapping) else _check.listed(stages, "stages")
         if not all(isinstance(stage, dict) for stage in given):
-            raise InputError("stages: a list of ljmd.Stage")
+            raise InputError("stages: a list of ljmd.Stage is needed")
         self._put("stage", given)
 
     stages = Attribute(_get_stages, _give_stages)
@@ -185,9 +191,9 @@ class Deck:
     def set(self, key: str, value) -> "Deck":
         """Replace one value as `--set key=value` does: deck.set("stage.production.steps", 500)."""
         name, text, settings = self._source()
-        settings = [*settings, f"{key}={_toml.literal(value)}"]
+        settings = [*settings, f"{_check.text(key, 'key')}={_toml.literal(value)}"]
         changed = type(self)(_core.parse(name, text, settings))
-        self._tables, self._origin = changed._tables, (name, text, settings, copy.deepcopy(changed._tables))
+        self._tables, self._origin = changed._tables, (name, text, settings, changed._written())
         return self
 
     def copy(self) -> "Deck":
@@ -206,9 +212,13 @@ class Deck:
         """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
         if self._origin is not None and self._pair is None:
             name, text, settings, tables = self._origin
-            if _without_empty(self._tables) == _without_empty(tables):
+            if self._written() == tables:
                 return name, text, settings
         return "Deck", self._note() + _toml.dumps(self._tables), []
+
+    def _written(self) -> str:
+        """All tables but those that were only asked for, to see whether they have changed."""
+        return _toml.dumps({name: table for name, table in self._tables.items() if not (isinstance(table, (dict, list)) and not table)})
 
     def _note(self) -> str:
         """A line above the tables that do not say all."""
@@ -377,10 +387,6 @@ class Deck:
     def _repr_html_(self) -> str:
         rows = [(part,) for part in self._summary()]
         return html_table((), rows, self.title or "ljmd.Deck") + html_pre(self.text)
-
-
-def _without_empty(tables: dict) -> dict:
-    return {name: value for name, value in tables.items() if value != {} and value != []}
 
 
 class Check:

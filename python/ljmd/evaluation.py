@@ -59,7 +59,7 @@ class Evaluator:
                  precision: str = "double"):
         if potential is not None and not isinstance(potential, (dict, Pair)):
             raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
-        self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
+        self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **_check.table(potential, "potential")}
         self._options = (_check.number(skin, "skin"), _check.threads_of(threads), _check.simd_of(simd),
                          _check.text(precision, "precision"))
         self._core = self._made()

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from ._check import text, truth, whole
+from ._check import listed, text, truth, whole
 from ._decorated import Decorated
 from .errors import InputError
 
@@ -43,9 +41,7 @@ def described(observables) -> list:
     """For the engine: (name, unit, function, every, energy) of each. Plain functions get the defaults."""
     if callable(observables):
         observables = [observables]
-    if isinstance(observables, (str, bytes, dict)) or not isinstance(observables, Iterable):
-        raise InputError(f"observables: {observables!r:.60}: a list of functions of a snapshot is needed")
-    all_of = [observable.of(each) for each in observables]
+    all_of = [observable.of(each) for each in listed(observables, "observables")]
     names = [each.name for each in all_of]
     for each in all_of:
         if names.count(each.name) > 1:

@@ -6,7 +6,7 @@ import json
 import pathlib
 import re
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
@@ -124,7 +124,7 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
     for name, value in (("density", density), ("pressure", pressure)):
         options += [] if value is None else [f"--{name}", repr(_check.number(value, name))]
     properties = () if properties is None else properties
-    names = [properties] if isinstance(properties, str) or not isinstance(properties, Iterable) else list(properties)
+    names = [properties] if isinstance(properties, str) else _check.listed(properties, "properties")
     options += ["--properties", ",".join(_check.text(name, "properties") for name in names)] if names else []
     if not isinstance(errors, (Mapping, type(None))):
         raise InputError(f"errors: {errors!r:.60}: a table of errors by name is needed, " + '{"energy": 0.002}')

@@ -232,7 +232,7 @@ class Run(Results):
         if self.directory is None:
             raise DataError("a page is made from the files of a run: give it a directory")
         from . import _core
-        page = self.directory / "report.html" if page is None else _check.directory_of(page)
+        page = self.directory / "report.html" if page is None else pathlib.Path(_check.path(page, "page"))
         for text in _core.write_report([self.directory], page, _check.truth(force, "force")):
             _check.warn(text)
         return page

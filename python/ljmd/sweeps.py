@@ -10,7 +10,7 @@ import os
 import pathlib
 import re
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
@@ -164,13 +164,10 @@ def _points_of(points) -> tuple:
         keys = list(points)
         lists = []
         for key in keys:
-            values = points[key]
-            if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
-                raise InputError(f"sweep: the values of {key!r} are a list, found {values!r}")
-            lists.append(list(values))
+            lists.append(_check.listed(points[key], f"sweep: the values of {key!r}"))
         rows = list(itertools.product(*lists))
     else:
-        points = list(points) if isinstance(points, Iterable) else [points]
+        points = _check.listed(points, "points")
         if not all(isinstance(point, Mapping) for point in points):
             raise InputError('sweep: points are {"system.temperature": [1.0, 1.5]}, all combinations of the values, or a list with a '
                              'table for each point')

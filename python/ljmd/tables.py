@@ -18,7 +18,7 @@ class Table(dict):
         try:
             return self[name]
         except KeyError:
-            raise AttributeError(f"no key {name!r} is set here; set are: {', '.join(self) or 'none'}") from None
+            raise AttributeError(f"no key {name!r} is set here; set are: {', '.join(map(str, self)) or 'none'}") from None
 
     def __setattr__(self, name, value):
         self[name] = value

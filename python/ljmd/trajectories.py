@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -51,7 +50,7 @@ class Trajectory:
         """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
         wanted = list(names) or self._frames.default_names()
         settings = [f"analysis.{name}.{key}={_toml.literal(value)}"
-                    for name, each in options.items() for key, value in each.items()]
+                    for name, each in options.items() for key, value in _check.table(each, name).items()]
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
 
@@ -109,11 +108,13 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
     group, xyz_comment = _check.text(group, "group"), _check.text(xyz_comment, "xyz_comment")
     energies = _check.truth(energies, "energies")
     start, time_step = (None if value is None else _check.number(value, name) for value, name in ((start, "start"), (time_step, "time_step")))
-    return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))
+    return Trajectory(partial(_frames_of_file, _check.path(path, "path"), deck, energies, start, time_step, group, positions, xyz_comment))
 
 
 def trajectory_of_run(directory, start, positions) -> Trajectory:
     """See `Run.trajectory`."""
+    start = None if start is None else _check.number(start, "start")
+    positions = None if positions is None else _check.text(positions, "positions")
     return Trajectory(partial(_frames_of_run, directory, start, positions))
 
 

@@ -129,8 +129,8 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
                       fmt::format("{} is a few-body deck: a trajectory of a fluid wants that of one", options.deck));
     }
     const fs::path path(options.path);
-    const fs::path directory =
-        options.out.empty() ? path.parent_path() / (path.stem().string() + "-analysis") : fs::path(options.out);
+    const fs::path directory = options.out.empty() ? path.parent_path() / output_name(path.stem().string(), "-analysis")
+                                                   : fs::path(options.out);
     print_document(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory), options.json);
 }
 

@@ -114,7 +114,7 @@ std::filesystem::path export_directory(const std::filesystem::path& source, bool
     const std::filesystem::path name = !is_run                ? whole.stem()
                                        : whole.has_filename() ? whole.filename()
                                                               : whole.parent_path().filename();
-    return name.string() + "-" + to;
+    return output_name(name.string(), "-" + to);
 }
 
 std::string export_json(const Exportable& what, const Exported& written, const std::string& to) {

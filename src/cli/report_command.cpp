@@ -32,13 +32,13 @@ void open_page(const fs::path& page) {
         warn(fmt::format("{}: {}", opener ? "there is no desktop here" : "there is no xdg-open", by_hand));
         return;
     }
-    const Process process{.program = *opener,
-                          .arguments = {files::absolute(page).string()},
-                          .directory = fs::path("."),
-                          .output = "/dev/null"};
-    if (run_process(process) != 0) {
-        warn(fmt::format("xdg-open could not open it: {}", by_hand));
-    }
+    // Nobody waits for it: an opener may be the browser itself, and live longer than this program.
+    const ChildProcess detached({.program = *opener,
+                                 .arguments = {files::absolute(page).string()},
+                                 .directory = ".",
+                                 .output = "/dev/null",
+                                 .own_group = true,
+                                 .at_our_end = 0});
 }
 
 /// The directory that is meant by a path: that of judge.json, for the file itself.

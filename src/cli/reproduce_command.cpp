@@ -167,7 +167,7 @@ void reproduce_command(const ReproduceOptions& options) {
     const fs::path out = options.out;
     std::optional<SlurmArray> array;
     if (options.mode.slurm) {
-        array.emplace("reproduce", out, *options.mode.slurm);
+        array.emplace("reproduce", out, *options.mode.slurm, until_signal());
     }
     const ReproductionPlan plan{chosen_rows(options.rows), options.quick};
     std::vector<RowRun> runs = row_runs(plan, out);

@@ -15,6 +15,7 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/study/point_run.hpp"
 #include "ljmd/study/slurm_array.hpp"
@@ -48,7 +49,7 @@ SweepPlan checked_plan(const SweepOptions& options) {
 }
 
 fs::path directory_of(const SweepOptions& options) {
-    return options.out.empty() ? fs::path("runs") / fs::path(options.deck).stem().concat("-sweep")
+    return options.out.empty() ? fs::path("runs") / output_name(fs::path(options.deck).stem().string(), "-sweep")
                                : fs::path(options.out);
 }
 
@@ -132,7 +133,7 @@ void sweep_command(const SweepOptions& options) {
     const fs::path path = directory_of(options);
     std::optional<SlurmArray> array;
     if (options.mode.slurm) {
-        array.emplace("sweep", path, *options.mode.slurm);
+        array.emplace("sweep", path, *options.mode.slurm, until_signal());
     }
     const SweepPlan plan = checked_plan(options);
     make_directory(path);

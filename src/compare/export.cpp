@@ -13,6 +13,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/input/toml_text.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
@@ -142,7 +143,8 @@ Notes export_extxyz(const Export& what) {
     write_output(path, what.allowed, [&](OutputFile& file) {
         write_extended_xyz_frame(file, what.state, {.velocities = true, .forces = what.forces}, std::nullopt);
     });
-    return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
+    return {fmt::format("in a deck: [system] file = {}; in Python: ase.io.read(\"start.xyz\")",
+                        toml_string(path.string()))};
 }
 
 /// A trajectory writer does not replace its file atomically, so this one gets a temporary place until it is complete.
@@ -159,7 +161,8 @@ Notes export_h5md(const Export& what) {
     writer->write(what.state);
     writer->close();
     file.take_place();
-    return {fmt::format("in a deck: [system] file = \"{}\"; it opens with MDAnalysis, VMD and h5py", path.string())};
+    return {fmt::format("in a deck: [system] file = {}; it opens with MDAnalysis, VMD and h5py",
+                        toml_string(path.string()))};
 }
 
 struct Target {

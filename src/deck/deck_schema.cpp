@@ -7,9 +7,10 @@
 
 namespace ljmd {
 
-Schema deck_schema(DeckKind kind) {
-    return kind == DeckKind::few_body ? Placed<FewBodyTables>::schema("the deck")
-                                      : Placed<FluidTables>::schema("the deck");
+const Schema& deck_schema(DeckKind kind) {
+    static const Schema few_bodies = Placed<FewBodyTables>::schema("the deck");
+    static const Schema fluid = Placed<FluidTables>::schema("the deck");
+    return kind == DeckKind::few_body ? few_bodies : fluid;
 }
 
 std::vector<std::string> marks_of_few_bodies() {

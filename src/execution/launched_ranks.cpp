@@ -80,6 +80,9 @@ std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module) {
                         signs.front(), why));
     };
     if (::access(module.c_str(), F_OK) != 0) {
+        if (launched_processes() == 1) {
+            return nullptr;  // as far as it is told: only others could say that there are several
+        }
         throw refuse(fmt::format("this ljmd was built without MPI: there is no {}", module.string()));
     }
     // Libraries of MPI load parts of their own, which look for its symbols.

@@ -1,5 +1,6 @@
 #include "ljmd/input/toml_text.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -207,6 +208,17 @@ class Converter {
 };
 
 }  // namespace
+
+std::string toml_string(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+        quoted += control                 ? fmt::format("\\u{:04x}", static_cast<unsigned>(c))
+                  : c == '"' || c == '\\' ? fmt::format("\\{}", c)
+                                          : std::string(1, c);
+    }
+    return quoted + "\"";
+}
 
 std::optional<Table> parse_toml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
     const std::string& text = source->text;

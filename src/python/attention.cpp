@@ -18,8 +18,8 @@ constexpr int most_calls_between_looks = 1024;
 Attention::Attention(py::object progress, py::object warn) : progress_(std::move(progress)), warn_(std::move(warn)) {}
 
 void Attention::warning(const std::string& text) {
-    const py::gil_scoped_acquire lock;
-    warn_(python_text(text));
+    const WithLock lock;
+    called(warn_, python_text(text));
 }
 
 bool Attention::look() {
@@ -41,13 +41,13 @@ bool Attention::look() {
     if (now - last_turn_ < between_turns) {
         return false;
     }
-    const py::gil_scoped_acquire lock;
+    const WithLock lock;
     try {
-        if (PyErr_CheckSignals() != 0) {
+        if (unless_python_ends([] { return PyErr_CheckSignals(); }) != 0) {
             throw py::error_already_set();
         }
         if (!progress_.is_none()) {
-            progress_(step_);
+            called(progress_, step_);
         }
     } catch (const py::error_already_set& error) {
         keep(error);

@@ -43,7 +43,7 @@ void run_freely(PythonObservers& observers, const std::shared_ptr<PythonExternal
         external->attend(&attention);
     }
     try {
-        const py::gil_scoped_release free;
+        const WithoutLock free;
         work();
     } catch (const Interrupted&) {
         attention.raise(fmt::format("the run has written a checkpoint; to go on: ljmd.resume({})",
@@ -146,7 +146,7 @@ void bind_directory_runs(py::module_& module) {
     module.def("last_configuration", &last, py::arg("directory"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
     module.def("write_report", &write_report, py::arg("directories"), py::arg("page"), py::arg("force"),
-               py::call_guard<py::gil_scoped_release>());
+               py::call_guard<WithoutLock>());
     module.def(
         "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },
         py::arg("directory"));

@@ -50,7 +50,7 @@ class PythonEvaluator {
         EvaluatedConfiguration found;
         std::vector<double> of_atoms;
         {
-            const py::gil_scoped_release free;
+            const WithoutLock free;
             const std::scoped_lock turn(busy_);
             found = evaluator_.evaluate(r, Vec3(edges[0], edges[1], edges[2]));
             if (energies) {

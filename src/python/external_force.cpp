@@ -49,13 +49,13 @@ PythonExternalForce::PythonExternalForce(std::string name, py::object function, 
     : name_(std::move(name)), function_(std::move(function)), energy_(energy), virial_(virial) {}
 
 PythonExternalForce::~PythonExternalForce() {
-    const py::gil_scoped_acquire lock;  // the last to hold it may be the engine
+    const WithLock lock;  // the last to hold it may be the engine
     function_ = py::object();
 }
 
 ExternalEnergy PythonExternalForce::call(const AtomPositions& atoms, bool energy, Eigen::Matrix3Xd& forces) const {
     const DuringCall call(atoms);
-    const py::object value = function_(call.seen());
+    const py::object value = called(function_, call.seen());
     const std::string what = fmt::format("external force '{}'", name_);
     const std::size_t parts = 1 + (energy_ ? 1U : 0U) + (virial_ ? 1U : 0U);
     const bool several = py::isinstance<py::tuple>(value);
@@ -97,7 +97,7 @@ ExternalEnergy PythonExternalForce::call(const AtomPositions& atoms, bool energy
 }
 
 ExternalEnergy PythonExternalForce::compute(const AtomPositions& atoms, bool energy, Eigen::Matrix3Xd& forces) {
-    const py::gil_scoped_acquire lock;
+    const WithLock lock;
     return called_undisturbed(attention_, [&] { return call(atoms, energy, forces); });
 }
 

@@ -42,7 +42,7 @@ template <class Work>
 void with_attention(const Work& work) {
     Attention attention{py::none(), py::none()};
     {
-        const py::gil_scoped_release free;
+        const WithoutLock free;
         try {
             work([&attention] {
                 if (attention.look()) {

@@ -105,7 +105,7 @@ py::tuple checked(const LoadedDeck& loaded, int threads, const std::string& simd
     Document report;
     Diagnostics diagnostics = loaded.diagnostics;
     {
-        const py::gil_scoped_release free;
+        const WithoutLock free;
         report = check_report(loaded.deck, checked_run(loaded.deck, threads, simd, diagnostics));
     }
     return py::make_tuple(to_python(report.data), python_text(report.text), warnings_of(diagnostics));

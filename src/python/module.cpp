@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <array>
+
 #include "directory_run.hpp"
 #include "errors.hpp"
 #include "evaluator.hpp"
@@ -81,8 +83,46 @@ void bind_equations(py::module_& module) {
         py::arg("model"), py::arg("pressure"));
 }
 
+/// Refuse other interpreters than the main one: pybind11's locks, also those of its exceptions, know that one alone,
+/// and wait for ever. So this is a function of Python's own interface. @return null with ImportError set
+PyObject* require_main_interpreter(PyObject* /*module*/ = nullptr, PyObject* /*arguments*/ = nullptr) {
+    if (PyInterpreterState_Get() == PyInterpreterState_Main()) {
+        Py_RETURN_NONE;
+    }
+    PyErr_SetString(PyExc_ImportError,
+                    "ljmd works in the main interpreter of a process alone, and this is another one");
+    return nullptr;
+}
+
+std::array<PyMethodDef, 2> own_functions{
+    {{"require_main_interpreter", &require_main_interpreter, METH_NOARGS, nullptr}, {}}};
+
+/// Refuse `Class.__new__(Class)`, which would make an object without the one of the engine that it stands for. Classes
+/// are called as before: that takes the slot of the type, not the attribute.
+void refuse_bare_objects(const py::module_& module) {
+    const py::cpp_function refuse([](const py::args&, const py::kwargs&) -> py::object {
+        throw py::type_error("objects of ljmd._core are made by calling their class");
+    });
+    const py::staticmethod attribute(refuse);
+    const auto close = [&](const py::handle& type) {
+        auto* object = reinterpret_cast<PyTypeObject*>(type.ptr());
+        if (PyDict_SetItemString(object->tp_dict, "__new__", attribute.ptr()) != 0) {
+            throw py::error_already_set();
+        }
+        PyType_Modified(object);
+    };
+    for (const auto& [name, value] : py::dict(module.attr("__dict__"))) {
+        if (py::isinstance<py::type>(value)) {
+            close(value);
+            close(value.attr("__base__"));
+        }
+    }
+}
+
 }  // namespace
 
+// What pybind11 defines is called by ours, below.
+#define PyInit__core ljmd_init_core
 // NOLINTNEXTLINE: what the macro makes is pybind11's
 PYBIND11_MODULE(_core, module) {
     module.doc() = "The engine of ljmd. The package `ljmd` is what programs use.";
@@ -98,6 +138,21 @@ PYBIND11_MODULE(_core, module) {
     bind_directory_runs(module);
     bind_frames(module);
     bind_equations(module);
+    if (PyModule_AddFunctions(module.ptr(), own_functions.data()) != 0) {
+        throw py::error_already_set();
+    }
+    refuse_bare_objects(module);
 }
+#undef PyInit__core
 
 }  // namespace ljmd::python
+
+/// What Python calls to import the module.
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
+    PyObject* is_main = ljmd::python::require_main_interpreter();
+    if (is_main == nullptr) {
+        return nullptr;
+    }
+    Py_DECREF(is_main);
+    return ljmd::python::ljmd_init_core();
+}

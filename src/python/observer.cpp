@@ -49,7 +49,7 @@ PythonObserver::PythonObserver(std::string name, std::string unit, py::object fu
 
 double PythonObserver::call(const Snapshot& snapshot) const {
     const DuringCall call(snapshot);
-    const py::object value = function_(call.seen());
+    const py::object value = called(function_, call.seen());
     const std::optional<double> number = as_number(value);
     if (!number) {
         throw InputError(fmt::format("observable '{}' returned {} at step {}: it returns one number", name_,
@@ -62,7 +62,7 @@ double PythonObserver::call(const Snapshot& snapshot) const {
 }
 
 void PythonObserver::sample(const Snapshot& snapshot) {
-    const py::gil_scoped_acquire lock;
+    const WithLock lock;
     const double value = called_undisturbed(attention_, [&] { return call(snapshot); });
     series_.add(Eigen::VectorXd::Constant(1, value));
 }

@@ -32,11 +32,11 @@ class PythonSimulation {
                      const py::object& external, const py::object& warn)
         : observers_(observables), external_(external_force_of(external)) {
         const auto tell = [&warn](const std::string& text) {
-            const py::gil_scoped_acquire lock;
-            warn(python_text(text));
+            const WithLock lock;
+            called(warn, python_text(text));
         };
         {
-            const py::gil_scoped_release free;
+            const WithoutLock free;
             Diagnostics diagnostics = deck.diagnostics;
             CheckedRun checked = checked_run(deck.deck, threads, simd, diagnostics);
             for (const std::string& warning : warnings_of(diagnostics)) {
@@ -47,7 +47,7 @@ class PythonSimulation {
         for (Observer* observer : observers_.all()) {
             run_->add(*observer);
         }
-        const py::gil_scoped_release free;
+        const WithoutLock free;
         run_->advance(0);
     }
 
@@ -69,7 +69,7 @@ class PythonSimulation {
         Attention attention(progress, py::none());
         const Running running(*this, attention);
         {
-            const py::gil_scoped_release free;
+            const WithoutLock free;
             take(steps, attention);
         }
         attention.raise();

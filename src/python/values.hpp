@@ -11,6 +11,7 @@
 #include "ljmd/core/document.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "lock.hpp"
 
 namespace ljmd::python {
 

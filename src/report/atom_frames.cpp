@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/report/base64.hpp"
@@ -177,46 +178,65 @@ Data trajectory_atoms(const std::filesystem::path& path, const std::optional<Sub
 }
 
 std::vector<std::uint8_t> neighbour_counts(const std::vector<Vec3>& positions, const Vec3& edges, double distance) {
+    constexpr double most_cells = 1e6;    // along an edge: the number of a cell fits its type
+    constexpr int most_looked_at = 2048;  // other atoms, for one: at a density of 9, where nothing is a liquid
     // Cells at least as wide as the distance; with fewer than three along an edge, all atoms are looked at.
     std::array<Index, 3> cells{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double count = std::floor(edges[static_cast<Index>(axis)] / distance);
-        cells[axis] = count < 3.0 ? 1 : static_cast<Index>(std::min(count, 128.0));
+        cells[axis] = count < 3.0 ? 1 : static_cast<Index>(std::min(count, most_cells));
     }
-    const auto cell_of = [&](const Vec3& r, std::array<Index, 3>& cell) {
+    const auto cell_of = [&](const Vec3& r) {
+        std::array<Index, 3> cell{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double fraction = r[static_cast<Index>(axis)] / edges[static_cast<Index>(axis)];
             const double place = (fraction - std::floor(fraction)) * static_cast<double>(cells[axis]);
             cell[axis] = std::min(static_cast<Index>(place), cells[axis] - 1);
         }
-        return static_cast<std::size_t>((cell[0] * cells[1] + cell[1]) * cells[2] + cell[2]);
+        return cell;
     };
-    std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(cells[0] * cells[1] * cells[2]));
-    std::array<Index, 3> cell{};
+    const auto number = [&](const std::array<Index, 3>& cell) {
+        return (cell[0] * cells[1] + cell[1]) * cells[2] + cell[2];
+    };
+    std::unordered_map<Index, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        members[cell_of(positions[i], cell)].push_back(i);
+        members[number(cell_of(positions[i]))].push_back(i);
     }
-    std::vector<std::uint8_t> counts(positions.size(), 0);
-    const auto reach = [&](std::size_t axis) { return cells[axis] == 1 ? Index{0} : Index{1}; };
-    const auto around = [&](std::size_t axis, Index at) { return (at + cells[axis]) % cells[axis]; };
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        static_cast<void>(cell_of(positions[i], cell));
-        int found = 0;
-        for (Index x = -reach(0); x <= reach(0); ++x) {
-            for (Index y = -reach(1); y <= reach(1); ++y) {
-                for (Index z = -reach(2); z <= reach(2); ++z) {
-                    const auto at = static_cast<std::size_t>(
-                        (around(0, cell[0] + x) * cells[1] + around(1, cell[1] + y)) * cells[2] +
-                        around(2, cell[2] + z));
-                    for (const std::size_t j : members[at]) {
+    // An atom's own cell comes first: where many atoms are in one place, they are enough.
+    const auto around = [&](std::size_t axis, Index at) {
+        const Index count = cells[axis];
+        return count == 1 ? std::vector{at} : std::vector{at, (at + 1) % count, (at + count - 1) % count};
+    };
+    const auto count_around = [&](std::size_t i) {
+        constexpr std::uint8_t most = 255;
+        const std::array<Index, 3> cell = cell_of(positions[i]);
+        std::uint8_t found = 0;
+        int looked_at = 0;
+        for (const Index x : around(0, cell[0])) {
+            for (const Index y : around(1, cell[1])) {
+                for (const Index z : around(2, cell[2])) {
+                    const auto here = members.find(number({x, y, z}));
+                    if (here == members.end()) {
+                        continue;
+                    }
+                    for (const std::size_t j : here->second) {
                         Vec3 apart = positions[i] - positions[j];
                         apart -= edges.cwiseProduct((apart.cwiseQuotient(edges)).array().round().matrix());
-                        found += j != i && apart.squaredNorm() < distance * distance ? 1 : 0;
+                        if (j != i && apart.squaredNorm() < distance * distance) {
+                            ++found;
+                        }
+                        if (found == most || ++looked_at == most_looked_at) {
+                            return found;
+                        }
                     }
                 }
             }
         }
-        counts[i] = static_cast<std::uint8_t>(std::min(found, 255));
+        return found;
+    };
+    std::vector<std::uint8_t> counts(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        counts[i] = count_around(i);
     }
     return counts;
 }

@@ -39,9 +39,9 @@ RecordedRun locked_run(const std::filesystem::path& directory, Index more_steps,
 Continuation newest_continuation(const RecordedRun& run) {
     auto continuation = find_continuation(run.deck, run.earlier);
     if (!continuation) {
-        throw CheckpointError(
-            fmt::format("{} has no checkpoint: the run ended before its first step, or they were removed",
-                        run.deck.directory.string()));
+        throw CheckpointError(fmt::format(
+            "{} has no checkpoint: the run ended before its first one, or they were removed; begin it again",
+            run.deck.directory.string()));
     }
     return std::move(*continuation);
 }

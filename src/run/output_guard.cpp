@@ -68,6 +68,18 @@ bool bears(const fs::path& path, std::string_view mark) {
 OutputRefused::OutputRefused(const std::string& why, const Choices& choices)
     : InputError(with_choices(why, choices, false)), for_commands_(with_choices(why, choices, true)) {}
 
+std::string output_name(std::string name, const std::string& ending) {
+    constexpr std::size_t longest = 255;  // bytes, of Linux's file systems
+    if (name.size() + ending.size() > longest) {
+        std::size_t end = longest - ending.size();
+        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) {  // within a character of UTF-8
+            --end;
+        }
+        name.resize(end);
+    }
+    return name + ending;
+}
+
 std::vector<fs::path> existing_outputs(const fs::path& directory, const std::vector<std::string>& names,
                                        const std::string& consequence) {
     require_usable(directory, consequence);

@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Record {
+    std::string kind;
     std::string deck_file;
     std::string deck;
     std::vector<std::string> settings;
@@ -79,7 +80,8 @@ Record read_record(const fs::path& path) {
             earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, max_steps));
         }
         const Data* given = record.find("given");  // that older records do not have
-        return {record.at("deck_file").text(),
+        return {record.at("kind").text(),
+                record.at("deck_file").text(),
                 record.at("deck").text(),
                 texts_of(record.at("settings"), "settings", max_settings),
                 std::move(earlier),
@@ -95,13 +97,18 @@ std::optional<Deck> loaded_deck(const Record& record, const fs::path& directory,
                           diagnostics, record.given);
 }
 
-/// @throws DataError  this version refuses the deck, which another one has written, or somebody has changed
+/// @throws DataError  this version refuses the deck, which another one has written, or somebody has changed it or the
+/// word that says of what kind it is
 Deck accepted_deck(const Record& record, const fs::path& directory) {
     Diagnostics diagnostics;
     std::optional<Deck> deck = loaded_deck(record, directory, diagnostics);
     if (!deck) {
         throw DataError(fmt::format("{} holds a deck that this version of ljmd refuses: {}",
                                     (directory / "run.json").string(), diagnostics.errors_without_places()));
+    }
+    if (record.kind != kind_name(*deck)) {
+        throw DataError(fmt::format("{}: 'kind' is {}, but its deck is one of kind '{}'",
+                                    (directory / "run.json").string(), in_quotes(record.kind), kind_name(*deck)));
     }
     return std::move(*deck);
 }

@@ -88,7 +88,7 @@ Document run_in_locked_directory(Deck& deck, AnySystem& system, bool replace, Ru
                                  RunControl control) {
     RunLock lock(deck, replace, [&listener](const std::string& text) { listener.warning(text); });
     control.has_begun = [&lock] { lock.has_begun(); };
-    Document report = run_deck(deck, system, listener, control);
+    Document report = lock.run([&] { return run_deck(deck, system, listener, control); });
     lock.warn_if_moved();
     return report;
 }

@@ -120,7 +120,7 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
     const RunControl control{.interruption = options.interruption,
                              .has_begun = [&lock] { lock.has_begun(); },
                              .observers = options.observers};
-    RunResult result = run_deck(deck, fluid, relay, control);
+    RunResult result = lock.run([&] { return run_deck(deck, fluid, relay, control); });
     lock.warn_if_moved();
     result.warnings = relay.warnings;
     return result;

@@ -41,6 +41,7 @@ RunLock::~RunLock() {
 
 void RunLock::has_begun() {
     earlier_->discard();
+    begun_ = true;
 }
 
 void RunLock::warn_if_moved() const {

@@ -10,6 +10,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/input/toml_text.hpp"
 
 namespace ljmd {
 
@@ -21,14 +22,7 @@ std::string toml(const PlainValue& value) {
         [](const auto& any) -> std::string {
             using T = std::remove_cvref_t<decltype(any)>;
             if constexpr (std::is_same_v<T, std::string>) {
-                std::string text = "\"";
-                for (const char c : any) {
-                    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-                    text += control                 ? fmt::format("\\u{:04x}", static_cast<unsigned>(c))
-                            : c == '"' || c == '\\' ? fmt::format("\\{}", c)
-                                                    : std::string(1, c);
-                }
-                return text + "\"";
+                return toml_string(any);
             } else if constexpr (std::is_same_v<T, std::vector<double>>) {
                 return fmt::format("[{}]", fmt::join(any, ", "));
             } else {

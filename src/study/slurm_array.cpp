@@ -5,9 +5,12 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <chrono>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
@@ -45,24 +48,6 @@ fs::path program_of_slurm(const std::string& name) {
                     name));
 }
 
-struct Answer {
-    int status;
-    std::string text;  ///< all that it printed
-};
-
-/// Run a program that ends at once. squeue takes filters and formats also from variables, SQUEUE_PARTITION for one,
-/// which would hide an array: it gets none of them.
-Answer answer_of(const fs::path& program, std::vector<std::string> arguments) {
-    const ScratchDirectory scratch;
-    const fs::path output = scratch.path() / "output";
-    const int status = run_process({.program = program,
-                                    .arguments = std::move(arguments),
-                                    .directory = ".",
-                                    .output = output,
-                                    .without = "SQUEUE_"});
-    return {status, read_input(output)};
-}
-
 /// What a program of Slurm said, for a message: its first lines.
 std::string said(const std::string& text) {
     constexpr std::size_t longest = 300;
@@ -94,31 +79,128 @@ std::string array_name(const fs::path& directory) {
     return fmt::format("{}-{:016x}", name, XXH3_64bits(path.data(), path.size()));
 }
 
-/// The number of a job in what `sbatch --parsable` prints, "17" or "17;cluster".
+/// The number of a job, which is all that `sbatch --parsable` prints: "17" or "17;cluster".
 std::optional<std::string> job_number(const std::string& text) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        const std::string number = line.substr(0, line.find(';'));
-        if (!number.empty() && std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c) != 0; })) {
-            return number;
-        }
+    std::istringstream words(text);
+    std::string word;
+    std::string more;
+    if (!(words >> word) || words >> more) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const std::string number = word.substr(0, word.find(';'));
+    const bool is_number =
+        !number.empty() && std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c) != 0; });
+    return is_number ? std::optional(number) : std::nullopt;
 }
 
-/// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", shortened as sbatch takes it, "--arr", or
-/// behind letters that need no value, "-Ha1-3".
-/// @param least  of `name`, by which sbatch knows the option
-bool is_option(const std::string& word, char letter, const std::string& least, const std::string& name) {
-    const std::string given = word.substr(0, word.find('='));
-    if (given.starts_with(least) && name.starts_with(given)) {
-        return true;
+enum class Takes { nothing, value, value_behind_equals };
+
+struct SbatchOption {
+    std::string_view name;
+    char letter;  ///< '\0': none
+    Takes takes = Takes::value;
+};
+
+/// What a user may ask sbatch for: where, when and with what the tasks run. Others change which jobs there are, where
+/// they are found, or what sbatch prints.
+constexpr std::array allowed_options{
+    SbatchOption{"account", 'A'},
+    SbatchOption{"acctg-freq", '\0'},
+    SbatchOption{"batch", '\0'},
+    SbatchOption{"bb", '\0'},
+    SbatchOption{"bbf", '\0'},
+    SbatchOption{"begin", 'b'},
+    SbatchOption{"chdir", 'D'},
+    SbatchOption{"comment", '\0'},
+    SbatchOption{"constraint", 'C'},
+    SbatchOption{"contiguous", '\0', Takes::nothing},
+    SbatchOption{"core-spec", 'S'},
+    SbatchOption{"cores-per-socket", '\0'},
+    SbatchOption{"cpu-freq", '\0'},
+    SbatchOption{"cpus-per-task", 'c'},
+    SbatchOption{"deadline", '\0'},
+    SbatchOption{"delay-boot", '\0'},
+    SbatchOption{"dependency", 'd'},
+    SbatchOption{"distribution", 'm'},
+    SbatchOption{"error", 'e'},
+    SbatchOption{"exclude", 'x'},
+    SbatchOption{"exclusive", '\0', Takes::value_behind_equals},
+    SbatchOption{"export", '\0'},
+    SbatchOption{"extra-node-info", 'B'},
+    SbatchOption{"gpus", 'G'},
+    SbatchOption{"gpus-per-node", '\0'},
+    SbatchOption{"gpus-per-task", '\0'},
+    SbatchOption{"gres", '\0'},
+    SbatchOption{"gres-flags", '\0'},
+    SbatchOption{"hint", '\0'},
+    SbatchOption{"hold", 'H', Takes::nothing},
+    SbatchOption{"kill-on-invalid-dep", '\0'},
+    SbatchOption{"licenses", 'L'},
+    SbatchOption{"mail-type", '\0'},
+    SbatchOption{"mail-user", '\0'},
+    SbatchOption{"mcs-label", '\0'},
+    SbatchOption{"mem", '\0'},
+    SbatchOption{"mem-bind", '\0'},
+    SbatchOption{"mem-per-cpu", '\0'},
+    SbatchOption{"mem-per-gpu", '\0'},
+    SbatchOption{"mincpus", '\0'},
+    SbatchOption{"network", '\0'},
+    SbatchOption{"nice", '\0', Takes::value_behind_equals},
+    SbatchOption{"no-requeue", '\0', Takes::nothing},
+    SbatchOption{"nodelist", 'w'},
+    SbatchOption{"nodes", 'N'},
+    SbatchOption{"ntasks", 'n'},
+    SbatchOption{"ntasks-per-node", '\0'},
+    SbatchOption{"open-mode", '\0'},
+    SbatchOption{"output", 'o'},
+    SbatchOption{"overcommit", 'O', Takes::nothing},
+    SbatchOption{"oversubscribe", 's', Takes::nothing},
+    SbatchOption{"partition", 'p'},
+    SbatchOption{"power", '\0'},
+    SbatchOption{"prefer", '\0'},
+    SbatchOption{"priority", '\0'},
+    SbatchOption{"profile", '\0'},
+    SbatchOption{"propagate", '\0', Takes::value_behind_equals},
+    SbatchOption{"qos", 'q'},
+    SbatchOption{"reboot", '\0', Takes::nothing},
+    SbatchOption{"requeue", '\0', Takes::nothing},
+    SbatchOption{"reservation", '\0'},
+    SbatchOption{"signal", '\0'},
+    SbatchOption{"sockets-per-node", '\0'},
+    SbatchOption{"spread-job", '\0', Takes::nothing},
+    SbatchOption{"switches", '\0'},
+    SbatchOption{"thread-spec", '\0'},
+    SbatchOption{"threads-per-core", '\0'},
+    SbatchOption{"time", 't'},
+    SbatchOption{"time-min", '\0'},
+    SbatchOption{"tmp", '\0'},
+    SbatchOption{"use-min-nodes", '\0', Takes::nothing},
+    SbatchOption{"wckey", '\0'},
+};
+
+/// The option that a word begins; none if that is not allowed. @param with_value  whether its value is in the word
+const SbatchOption* option_of(const std::string& word, bool& with_value) {
+    const bool is_long = word.starts_with("--");
+    if (!is_long && (word.size() < 2 || word[0] != '-')) {
+        return nullptr;
     }
-    if (!word.starts_with('-')) {
-        return false;
+    const std::size_t equals = word.find('=');
+    const std::string name = is_long ? word.substr(2, equals - 2) : "";
+    with_value = is_long ? equals != std::string::npos : word.size() > 2;
+    const auto* const found = std::ranges::find_if(allowed_options, [&](const SbatchOption& option) {
+        return is_long ? option.name == name : option.letter == word[1];
+    });
+    const bool fits = found != allowed_options.end() && !(found->takes == Takes::nothing && with_value);
+    return fits ? &*found : nullptr;
+}
+
+std::string names_of_allowed() {
+    std::vector<std::string> names;
+    for (const SbatchOption& option : allowed_options) {
+        names.push_back(option.letter == '\0' ? fmt::format("--{}", option.name)
+                                              : fmt::format("--{} (-{})", option.name, option.letter));
     }
-    const std::size_t first = word.find_first_not_of("HhIkOQsvVW", 1);
-    return first != std::string::npos && word[first] == letter;
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -157,15 +239,18 @@ std::vector<std::string> shell_words(const std::string& text) {
 
 std::vector<std::string> sbatch_options(const std::string& text) {
     std::vector<std::string> words = shell_words(text);
-    for (const std::string& word : words) {
-        if (is_option(word, 'a', "--ar", "--array") || is_option(word, 'J', "--j", "--job-name")) {
-            throw InputError(
-                fmt::format("--slurm: {} cannot be given: ljmd sets --array, whose tasks are shares of the runs, and "
-                            "--job-name, by "
-                            "which it finds the array in the queue. Nothing was run.\n  to limit the tasks at a time: "
-                            "scontrol update "
-                            "ArrayTaskThrottle=50 JobId=... when the array is submitted",
-                            in_quotes(word)));
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        bool with_value = false;
+        const SbatchOption* option = option_of(words[k], with_value);
+        if (option == nullptr) {
+            throw InputError(fmt::format(
+                "--slurm: {} cannot be given. Nothing was run.\n  ljmd says itself which tasks the array has, "
+                "its name and what sbatch prints; it is looked for on the cluster of this computer\n  options "
+                "that can be given, one in a word: {}",
+                in_quotes(words[k]), names_of_allowed()));
+        }
+        if (option->takes == Takes::value && !with_value && ++k == words.size()) {
+            throw InputError(fmt::format("--slurm: {} needs a value. Nothing was run.", in_quotes(words.back())));
         }
     }
     return words;
@@ -201,25 +286,65 @@ std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std
     return numbers;
 }
 
-SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
+SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options,
+                       const Interruption& interruption, double seconds)
     : command_(std::move(command)),
       directory_(files::absolute(directory)),
       options_(sbatch_options(options)),
       sbatch_(program_of_slurm("sbatch")),
       squeue_(program_of_slurm("squeue")),
-      name_(array_name(files::canonical(directory))) {}
+      name_(array_name(files::canonical(directory))),
+      interruption_(interruption),
+      seconds_(seconds) {}
+
+/// Run a program that answers at once.
+/// @param without      variables that it does not get, as in Process
+/// @param consequence  of no answer, for a message
+SlurmArray::Answer SlurmArray::answer_of(const fs::path& program, std::vector<std::string> arguments,
+                                         std::vector<std::string> without, const std::string& consequence) const {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds_);
+    const ScratchDirectory scratch;
+    const fs::path output = scratch.path() / "output";
+    const fs::path errors = scratch.path() / "errors";
+    ChildProcess child({.program = program,
+                        .arguments = std::move(arguments),
+                        .directory = ".",
+                        .output = output,
+                        .errors = errors,
+                        .without = std::move(without),
+                        .kept = true});
+    const auto status = child.wait_while([&] { return !interruption_.request() && Clock::now() < end; });
+    if (!status) {
+        child.stop();
+        const std::string name = program.filename().string();
+        if (const auto asked = interruption_.request()) {
+            throw Interrupted(fmt::format("{} was stopped before it answered. {}", name, consequence),
+                              asked->exit_code());
+        }
+        throw ProcessesError(
+            fmt::format("{} has not answered within {:g} s, and was stopped. {}", name, seconds_, consequence));
+    }
+    return {*status, read_input(output), read_input(errors)};
+}
 
 void SlurmArray::require_none() const {
-    const auto [status, text] = answer_of(squeue_, {"--noheader", "--all", "--name=" + name_, "--format=%F %T"});
+    const std::string unknown = "It is not known whether the study is queued already, and nothing was submitted.";
+    // squeue takes filters and formats also from variables, SQUEUE_PARTITION for one, which would hide an array.
+    const auto [status, text, errors] = answer_of(squeue_, {"--noheader", "--all", "--name=" + name_, "--format=%F %T"},
+                                                  {"SQUEUE_", "SLURM_CLUSTERS="}, unknown);
     if (status != 0) {
-        throw ProcessesError(
-            fmt::format("squeue fails, so it is not known whether the study is queued already. Nothing "
-                        "was submitted.\n  {}",
-                        said(text)));
+        throw ProcessesError(fmt::format("squeue fails with exit status {}. {}\n  {}", status, unknown, said(errors)));
     }
     std::istringstream lines(text);
-    std::string job;
-    for (std::string state; lines >> job >> state;) {
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string job;
+        std::string state;
+        std::string more;
+        if (!(words >> job >> state) || words >> more || !job_number(job)) {
+            throw ProcessesError(fmt::format("squeue prints what is no job. {}\n  {}", unknown, said(line)));
+        }
         if (state != "COMPLETING") {  // its tasks have ended, or are held by a node that does not answer
             throw InUseError(
                 fmt::format("array {} of {} is queued or running. Nothing was submitted.\n  how far it is: ljmd {} "
@@ -250,12 +375,20 @@ std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jo
                                        fmt::format("--cpus-per-task={}", jobs),
                                        fmt::format("--output={}/%a.log", literal_pattern(folder.path()))};
     arguments.insert(arguments.end(), options_.begin(), options_.end());
-    arguments.insert(arguments.end(),
-                     {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted), worker.string()});
-    const auto [status, text] = answer_of(sbatch_, arguments);
+    arguments.insert(arguments.end(), {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted),
+                                       worker.string()});
+    const std::string unknown = fmt::format("It is not known whether an array is queued: squeue --name={}", name_);
+    const auto [status, text, errors] = answer_of(sbatch_, arguments,
+                                                  {"SBATCH_WAIT=", "SBATCH_ARRAY_INX=", "SBATCH_JOB_NAME=",
+                                                   "SBATCH_TEST_ONLY=", "SBATCH_CLUSTERS=", "SLURM_CLUSTERS="},
+                                                  unknown);
     const auto number = job_number(text);
-    if (!number) {
-        throw InputError(fmt::format("sbatch does not take the array. Nothing was submitted.\n  {}", said(text)));
+    if (status != 0 && text.find_first_not_of(" \n") == std::string::npos) {
+        throw InputError(fmt::format("sbatch does not take the array. Nothing was submitted.\n  {}", said(errors)));
+    }
+    if (status != 0 || !number) {
+        throw ProcessesError(fmt::format("sbatch ends with exit status {}, and prints {}. {}\n  {}", status,
+                                         in_quotes(said(text)), unknown, said(errors)));
     }
     return fmt::format("array {} of {} task{}", *number, wanted.size(), wanted.size() == 1 ? "" : "s");
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
@@ -51,16 +53,32 @@ struct Study {
     }
 };
 
-/// Steps that the deck of a run asks for; 0 if it cannot be read.
-Index steps_asked_for(const ChildRun& run) {
-    Diagnostics diagnostics;
-    const auto deck = load_deck_text(run.deck.string(), run.source, run.settings, true, diagnostics);
-    return deck ? total_steps(deck->stages) : 0;
-}
+/// Steps that decks of runs ask for. Those of a study differ in few keys: a deck is read only if its text, or what is
+/// set of its stages, is new.
+class AskedSteps {
+  public:
+    /// @return 0 if the deck cannot be read
+    Index operator()(const ChildRun& run) {
+        std::string text = run.source;
+        for (const std::string& setting : run.settings) {
+            text += setting.find("stage") < setting.find('=') ? "\n" + setting : "";
+        }
+        const auto [found, is_new] = known_.try_emplace(std::move(text), 0);
+        if (is_new) {
+            Diagnostics diagnostics;
+            const auto deck = load_deck_text(run.deck.string(), run.source, run.settings, true, diagnostics);
+            found->second = deck ? total_steps(deck->stages) : 0;
+        }
+        return found->second;
+    }
+
+  private:
+    std::unordered_map<std::string, Index> known_;
+};
 
 /// @param name         in the report
 /// @param steps_added  to those that its deck asks for
-RunState state_of(const std::string& name, const ChildRun& run, Index steps_added) {
+RunState state_of(const std::string& name, const ChildRun& run, Index steps_added, AskedSteps& asked_steps) {
     const fs::path& directory = run.directory;
     RunState found{name, directory, "not begun", std::nullopt, 0, ""};
     const bool running = DirectoryLock::is_held(directory) || ClaimedFile::is_held(run.log);
@@ -68,7 +86,7 @@ RunState state_of(const std::string& name, const ChildRun& run, Index steps_adde
     if (!files::exists(directory / "run.json")) {
         found.state = running ? "running" : words.empty() ? "not begun" : "failed";
         found.words = words;
-        found.total_steps = steps_asked_for(run) + steps_added;
+        found.total_steps = asked_steps(run) + steps_added;
         return found;
     }
     try {
@@ -97,12 +115,14 @@ RunState state_of(const std::string& name, const ChildRun& run, Index steps_adde
 
 Study study_in(const fs::path& directory) {
     Study study{.running = DirectoryLock::is_held(directory)};
+    AskedSteps asked_steps;
     if (files::exists(directory / reference_file)) {
         study.kind = StudyKind::reference;
         for (const char* phase : reference_phases) {
             if (const auto plan = recorded_sweep(directory / phase)) {
                 for (const ChildRun& run : sweep_runs(*plan, directory / phase)) {
-                    study.runs.push_back(state_of(fmt::format("{}/{}", phase, run.name), run, plan->steps_added));
+                    study.runs.push_back(
+                        state_of(fmt::format("{}/{}", phase, run.name), run, plan->steps_added, asked_steps));
                 }
             }
         }
@@ -112,7 +132,7 @@ Study study_in(const fs::path& directory) {
         study.kind = plan->replicas > 0 ? StudyKind::replicas : StudyKind::sweep;
         study.deck = plan->deck_file;
         for (const ChildRun& run : sweep_runs(*plan, directory)) {
-            study.runs.push_back(state_of(run.name, run, plan->steps_added));
+            study.runs.push_back(state_of(run.name, run, plan->steps_added, asked_steps));
         }
         return study;
     }
@@ -126,7 +146,7 @@ Study study_in(const fs::path& directory) {
                                            .source = files::is_regular_file(entry) ? read_input(entry) : "",
                                            .directory = rows / name,
                                            .log = rows / (name + ".log")},
-                                          0));
+                                          0, asked_steps));
         }
     }
     std::ranges::sort(study.runs, {}, &RunState::name);

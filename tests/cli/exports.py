@@ -1,6 +1,7 @@
 """ljmd export: the start of a deck, or the end of a run, for other programs."""
 
 import json
+import re
 
 from harness import DECK, STARS, Case, snapshot
 
@@ -127,6 +128,18 @@ def a_tail_is_warned_of(t):
     t.equal(t.run_well("export", "deck.toml", "--to", "lammps", "--force", "--quiet").err, "", "stderr with --quiet")
 
 
+def names(t):
+    """A run whose name is as long as a name may be, and one whose name TOML must quote."""
+    t.deck()
+    for name in (255 * "x", 'a "b" \\c'):
+        t.run_well("run", "deck.toml", "--quiet", "--out", name)
+        told = t.run_well("export", name, "--to", "extxyz").out
+        line = re.search(r"in a deck: \[system\] (file = .*); in Python", told).group(1)
+        t.deck((FROM_FILE[0][0], line + "\n"), ('thermostat = { type = "rescale", every = 5 }', ""), name="next.toml")
+        t.run_well("run", "next.toml", "--quiet", "--out", "next", "--force")
+        t.check((t.dir / f"{name[:248]}-extxyz/start.xyz").exists(), "the directory has another name")
+
+
 def few_body_run(t):
     t.deck(text=STARS)
     t.run_well("run", "deck.toml", "--quiet", "--out", "stars")
@@ -170,7 +183,7 @@ def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (lammps, json_says_the_same, every_configuration_can_be_started_from, forces_are_those_of_the_potential,
                          a_run_needs_its_directory_alone, existing_files_are_refused, the_start_is_not_replaced,
-                         output_is_a_file,
+                         output_is_a_file, names,
                          a_tail_is_warned_of, few_body_run, run_that_has_not_ended, start_of_a_run_is_past,
                          larger_cutoff_than_the_box_of_a_run)] + \
            [Case("unknown target", refused(2, DECK, "deck.toml", "--to", "gromacs")),

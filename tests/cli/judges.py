@@ -187,7 +187,7 @@ def files_are_named_as_the_user_does(t):
 
 
 # An engine whose child waits until somebody writes to `gate`, and ljmd until both have ended.
-WAITS = "command:sh -c 'echo $$ >began; mv began pid; read word <gate' & wait # {input} {output}"
+WAITS = "command:setsid sh -c 'echo $$ >began; mv began pid; read word <gate' & wait # {input} {output}"
 
 
 def child_is_stopped(t):
@@ -204,16 +204,19 @@ def children_are_stopped(t):
 
 
 def interrupted(t):
-    """Ctrl-C, which does not reach the engine's own group, ends ljmd, the engine and what it has started."""
+    """Ctrl-C, which does not reach the engine's own group, and what ljmd cannot handle end ljmd, the engine and what it has
+    started, in a session of its own, too."""
     t.deck()
     os.mkfifo(t.dir / "gate")
-    process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with", WAITS], cwd=t.dir,
-                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    waiting.until((t.dir / "pid").exists, "the child of the engine has begun", process)
-    process.send_signal(signal.SIGINT)
-    t.contains(process.communicate(timeout=waiting.PATIENCE)[1].decode(), "stopped")
-    t.equal(process.returncode, 130, "exit code")
-    child_is_stopped(t)
+    for number, words, code in ((signal.SIGINT, "stopped", 130), (signal.SIGQUIT, "", -signal.SIGQUIT), (signal.SIGKILL, "", -signal.SIGKILL)):
+        (t.dir / "pid").unlink(missing_ok=True)
+        process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with", WAITS], cwd=t.dir,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        waiting.until((t.dir / "pid").exists, "the child of the engine has begun", process)
+        process.send_signal(number)
+        t.contains(process.communicate(timeout=waiting.PATIENCE)[1].decode(), words)
+        t.equal(process.returncode, code, "exit code")
+        child_is_stopped(t)
 
 
 def paths_are_quoted(t):

@@ -2,10 +2,12 @@
 
 import base64
 import json
+import os
 import re
 import struct
 
-from harness import ARGON, DECK, STARS, Case, held, snapshot
+from harness import ARGON, DECK, STARS, Case, clean_environment, held, snapshot
+import waiting
 
 HOSTILE = "</script><script>alert('&\\\"')</script><!-- \\u202e\\u2028"
 FRAMES = ("thermo = { every = 5 }", 'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 10, velocities = true }')
@@ -93,6 +95,12 @@ def few_bodies(t):
     t.equal(positions[:6], (-1.0, 0.0, 0.0, 2.0, 0.0, 0.0), "start")
     t.check(abs(positions[-6] - rows["x1"][-1]) < 1e-6, "end")
     t.equal(len(tracks["energy_error"]), len(rows["time"]), "errors of the energy")
+    record = t.json("out/run.json")
+    for kind in ("fluid", "another"):
+        (t.dir / "out/run.json").write_text(json.dumps({**record, "kind": kind}), encoding="utf-8")
+        page = report(t, "out")
+        t.equal(page["state"], "damaged", f"state where the kind is '{kind}'")
+        t.equal(page["warnings"][0], f"out/run.json: 'kind' is '{kind}', but its deck is one of kind 'few-body'", "warning")
 
 
 def studies(t):
@@ -164,8 +172,24 @@ def sizes(t):
     t.contains(page["atoms"]["words"], "of 211 frames are shown")
 
 
+def opened(t):
+    """An opener may be the browser itself: it is not waited for, and lives on."""
+    run(t)
+    (t.dir / "bin").mkdir()
+    os.mkfifo(t.dir / "go")
+    (t.dir / "bin/xdg-open").write_text(f"#!/bin/sh\ncd '{t.dir}'\nread word < go\necho \"$1\" > opened.part\n"
+                                        "mv opened.part opened\n", encoding="utf-8")
+    (t.dir / "bin/xdg-open").chmod(0o755)
+    environment = {**clean_environment(), "DISPLAY": ":7", "PATH": f"{t.dir}/bin:{os.environ['PATH']}"}
+    t.expect(0, t.run("report", "out", "--open", env=environment))
+    with open(t.dir / "go", "r+b", buffering=0) as go:  # for both ends, so that it waits for no reader
+        go.write(b"go\n")
+        waiting.until((t.dir / "opened").exists, "the opener, which lives on, goes on")
+    t.equal(t.read("opened"), f"{t.dir}/out/report.html\n", "what is opened")
+
+
 def cases():
     return [Case("numbers are the results", numbers_are_the_results), Case("titles are text", titles_are_text),
             Case("places", places), Case("decks ask for it", decks_ask_for_it), Case("few bodies", few_bodies),
             Case("studies", studies), Case("comparisons", comparisons), Case("sets", sets),
-            Case("what is there", what_is_there), Case("sizes", sizes)]
+            Case("what is there", what_is_there), Case("sizes", sizes), Case("opened", opened)]

@@ -315,11 +315,6 @@ def submitted_by_another_path(t):
         result = t.expect(9, t.run(*REQUEST, path, *slurm, env=environment))
         t.contains(result.err, "error: array 17 of ")
         t.contains(result.err, " is queued or running. Nothing was submitted.\n")
-    # What squeue is told by variables hides no array: the real one filters by them, and so does this one.
-    squeue = t.dir / "bin" / "squeue"
-    squeue.write_text(squeue.read_text(encoding="utf-8").replace("\nfor", '\n[ -z "$SQUEUE_PARTITION$SQUEUE_STATES" ] || exit 0\nfor', 1), encoding="utf-8")
-    for variable in ("SQUEUE_PARTITION", "SQUEUE_STATES"):
-        t.expect(9, t.run(*REQUEST, "link/out", *slurm, env={**environment, variable: "a"}))
     t.run_well(*REQUEST, "link/other", *slurm, env=environment)
     t.equal(len(set(t.read("queue").split())), 2, "names of arrays")
     t.run_well(*REQUEST, "it's mine", *slurm, env=environment)
@@ -364,9 +359,7 @@ def cases():
         Case("the status of a deck", refused("sweep", "--status", "deck.toml")),
         Case("the status of a table that is none", refused("reproduce", "--status", "out")),
         Case("the tasks of Slurm given", refused(*REQUEST, "out", "--slurm", "-p all --array=1-3")),
-        Case("the name for Slurm given", refused(*REQUEST, "out", "--slurm", "-J mine")),
-        Case("the name for Slurm behind another letter", refused(*REQUEST, "out", "--slurm", "-HJmine")),
-        Case("the tasks of Slurm given for a table", refused(*ROWS, "out", "--slurm", "-a1-3")),
+        Case("an option of Slurm without its value", refused(*ROWS, "out", "--slurm", "-t 30 -p")),
         Case("prepared and submitted", refused(*REQUEST, "out", "--prepare", "--slurm", "")),
         Case("prepared with another grid", refused(*REQUEST[:3], "system.density=0.7|0.8", "--out", "out", "--prepare",
                                                    prepare=REQUEST)),

@@ -2,8 +2,24 @@
 # installed tree is moved once: it must not remember where it was put first. With it the source tree's own copies play
 # no part any more.
 file(REMOVE_RECURSE ${work_dir})
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first OUTPUT_QUIET
-                COMMAND_ERROR_IS_FATAL ANY)
+set(install sh -c "umask 077 && exec \"$0\" \"$@\"" ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first)
+execute_process(COMMAND ${install} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND find ${work_dir}/first -mindepth 1 ( -type d ! -perm -755 -o -type f ! -perm -444 )
+                OUTPUT_VARIABLE closed COMMAND_ERROR_IS_FATAL ANY)
+if(closed)
+    message(SEND_ERROR "closed to other users:\n${closed}")
+endif()
+
+# All of it is uninstalled, and nothing else.
+file(WRITE ${work_dir}/first/${data_dir}/ljmd/inputs/mine.toml "")
+execute_process(COMMAND ${CMAKE_COMMAND} -D manifest=${build_dir}/install_manifest.txt
+                        -P ${source_dir}/cmake/LjmdUninstall.cmake COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE left RELATIVE ${work_dir}/first ${work_dir}/first/*)
+if(NOT left STREQUAL "${data_dir}/ljmd/inputs/mine.toml" OR EXISTS ${work_dir}/first/${include_dir}/ljmd)
+    message(SEND_ERROR "left after uninstalling: ${left}")
+endif()
+file(REMOVE_RECURSE ${work_dir}/first)
+execute_process(COMMAND ${install} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${work_dir}/first ${work_dir}/installed)
 file(COPY ${source_dir}/tests/consumer DESTINATION ${work_dir})
 file(COPY ${source_dir}/docs/examples DESTINATION ${work_dir}/consumer)

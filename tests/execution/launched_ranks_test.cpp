@@ -32,8 +32,10 @@ TEST_CASE("a process is one of several ranks if mpirun says so, not because it i
         // Of PMIx that tells no number: the first may be alone, the second is not.
         const test::EnvironmentGuard first("PMIX_RANK", "0");
         CHECK(launched_processes() == 1);
+        CHECK(launched_ranks("/nowhere/ljmd_mpi.so") == nullptr);
         const test::EnvironmentGuard second("PMIX_RANK", "1");
         CHECK(launched_processes() == 2);
+        CHECK_THROWS_AS(launched_ranks("/nowhere/ljmd_mpi.so"), InputError);
         const test::EnvironmentGuard three("PMI_SIZE", "3");
         CHECK(launched_processes() == 3);
     }

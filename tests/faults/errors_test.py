@@ -82,8 +82,11 @@ def check_message(talk: str, error: str) -> None:
         raise Failure(f"says: {talk.strip()}")
     words_of_hdf5 = ".h5md" in talk or "can't retrieve stat info" in talk
     name = "EIO" if error == "look" else error
-    if error != "short" and os.strerror(getattr(errno, name)) not in talk and not words_of_hdf5:
+    cause = "" if error == "short" else os.strerror(getattr(errno, name))
+    if cause not in talk and not words_of_hdf5:
         raise Failure(f"does not name the cause: {talk.strip()}")
+    if "/" not in talk.replace(cause, ""):
+        raise Failure(f"names no file: {talk.strip()}")
 
 
 def disturb(runner: Runner, task: Task, folder: Path, error: str, call: int) -> int:

@@ -15,6 +15,7 @@ enum class Kind : std::size_t {
     open,    ///< a file or folder that is there
     create,  ///< open, too, what may come into being or lose its content by it
     read,
+    seek,  ///< to a place in an open file
     write,
     sync,
     close,  ///< of a file that was open for writing
@@ -30,9 +31,9 @@ enum class Kind : std::size_t {
     spawn,  ///< another program, with its output in a file
 };
 
-constexpr std::array<const char*, 16> kind_names{"open",     "create", "read",   "write", "sync", "close",
-                                                 "truncate", "rename", "remove", "mkdir", "link", "stat",
-                                                 "list",     "lookup", "lock",   "spawn"};
+constexpr std::array<const char*, 17> kind_names{"open",  "create",   "read",   "seek",   "write", "sync",
+                                                 "close", "truncate", "rename", "remove", "mkdir", "link",
+                                                 "stat",  "list",     "lookup", "lock",   "spawn"};
 
 struct NamedError;
 

@@ -121,6 +121,8 @@ extern "C" {
 TRANSFERRING(read, read, (int descriptor, void* data, size_t size), (descriptor, data, count))
 TRANSFERRING(read, pread, (int descriptor, void* data, size_t size, off_t at), (descriptor, data, count, at))
 TRANSFERRING(read, pread64, (int descriptor, void* data, size_t size, off64_t at), (descriptor, data, count, at))
+FAULTY(seek, -1, off_t, lseek, (int descriptor, off_t place, int from) noexcept, (descriptor, place, from))
+FAULTY(seek, -1, off64_t, lseek64, (int descriptor, off64_t place, int from) noexcept, (descriptor, place, from))
 TRANSFERRING(write, write, (int descriptor, const void* data, size_t size), (descriptor, data, count))
 TRANSFERRING(write, pwrite, (int descriptor, const void* data, size_t size, off_t at), (descriptor, data, count, at))
 TRANSFERRING(write, pwrite64, (int descriptor, const void* data, size_t size, off64_t at),

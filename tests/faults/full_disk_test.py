@@ -15,6 +15,7 @@ Prints one line for each kind, and "N passed, M failed". Exit code 1 when someth
 
 from __future__ import annotations
 
+import ctypes
 import json
 import shutil
 import subprocess
@@ -28,9 +29,11 @@ import waiting
 OUTPUT_ERROR = 4
 
 
-def check_message(talk: str) -> None:
+def check_message(talk: str, directory: Path) -> None:
     if talk.count("error: ") != 1 or "No space left on device" not in talk:
         raise Failure(f"says: {talk.strip()}")
+    if (directory / "run.json").exists() and not list(directory.glob("checkpoint.?")) and "no checkpoint yet: begin it again" not in talk:
+        raise Failure(f"cannot be resumed, but says: {talk.strip()}")
 
 
 def run_without_space(runner: Runner, command: Command, folder: Path, fault: str) -> bool:
@@ -41,7 +44,7 @@ def run_without_space(runner: Runner, command: Command, folder: Path, fault: str
     if process.returncode != 0:  # 0: nothing was written from that call on
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
-        check_message(talk)
+        check_message(talk, directory)
         before = [path.name for path in command.killed.glob(".*")] if command.killed else []
         if left := [path.name for path in directory.glob(".*") if path.name not in before]:
             raise Failure(f"has left {left}")
@@ -84,7 +87,7 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
             return False
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
-        check_message(talk)
+        check_message(talk, directory)
         if directory.exists():
             subprocess.run(["mount", "-o", "remount,size=10m", str(mount)], check=True)
             runner.go_on(directory, case.deck, kill_again=False)
@@ -94,9 +97,16 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
         subprocess.run(["umount", str(mount)], check=True)
 
 
+def has_own_mounts() -> bool:
+    """Give this process a namespace of mounts, private to it and its children: they are gone with it, also if it is killed."""
+    new_namespace, recursive, private = 0x00020000, 1 << 14, 1 << 18
+    system = ctypes.CDLL(None)
+    return system.unshare(new_namespace) == 0 and system.mount(b"none", b"/", None, recursive | private, None) == 0
+
+
 def may_mount(folder: Path) -> bool:
     folder.mkdir()
-    if shutil.which("mount") is None:
+    if shutil.which("mount") is None or not has_own_mounts():
         return False
     made = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)], capture_output=True)
     if made.returncode == 0:

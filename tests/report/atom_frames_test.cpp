@@ -1,5 +1,6 @@
 #include "ljmd/report/atom_frames.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace ljmd;
@@ -85,4 +86,14 @@ TEST_CASE("neighbours are counted through the walls of the box, in large boxes a
     CHECK(neighbour_counts(three, Vec3(10.0, 10.0, 10.0), 1.5) == std::vector<std::uint8_t>{1, 1, 0});
     CHECK(neighbour_counts(three, Vec3(10.0, 10.0, 10.0), 4.9) == std::vector<std::uint8_t>{2, 2, 2});
     CHECK(neighbour_counts(three, Vec3(10.0, 10.0, 10.0), 0.3) == std::vector<std::uint8_t>{0, 0, 0});
+}
+
+TEST_CASE("a million atoms in one place, and in two a little apart, are not looked at in pairs") {
+    constexpr std::size_t atoms = 1'000'000;
+    std::vector<Vec3> places(atoms, Vec3(0.1, 0.1, 0.1));
+    CHECK(neighbour_counts(places, Vec3(10.0, 10.0, 10.0), 1.5) == std::vector<std::uint8_t>(atoms, 255));
+    CHECK(neighbour_counts(places, Vec3(1e9, 1e9, 1e9), 1.5) == std::vector<std::uint8_t>(atoms, 255));
+    std::fill(places.begin() + atoms / 2, places.end(),
+              Vec3(1.4, 1.4, 1.4));  // of the same cell, too far for the first
+    CHECK(neighbour_counts(places, Vec3(10.0, 10.0, 10.0), 1.5).front() == 255);
 }

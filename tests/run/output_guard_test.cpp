@@ -57,6 +57,13 @@ TEST_CASE("a directory that is none, and one whose path leaves no room for names
                       Contains(" is too long: files in it cannot be named. Nothing was run."));
 }
 
+TEST_CASE("a name for outputs fits into a file system, and ends between two characters") {
+    CHECK(output_name("argon", "-lammps") == "argon-lammps");
+    CHECK(output_name(std::string(248, 'x'), "-lammps") == std::string(248, 'x') + "-lammps");
+    CHECK(output_name(std::string(255, 'x'), "-lammps") == std::string(248, 'x') + "-lammps");
+    CHECK(output_name(std::string(247, 'x') + "\u00e9\u00e9", "-lammps") == std::string(247, 'x') + "-lammps");
+}
+
 TEST_CASE("the directory of a run is told by its record, whatever that is") {
     const TemporaryFolder folder;
     CHECK_NOTHROW(require_no_run(folder / "", "Nothing was run"));

@@ -95,6 +95,13 @@ TEST_CASE("what is no run, or none that ended, is refused") {
     change_record(directory, "program", "another");
     CHECK_THROWS_WITH(deck_of(directory), Contains("another program"));
     change_record(directory, "program", "ljmd");
+    for (const char* kind : {"few-body", "fluids", ""}) {
+        change_record(directory, "kind", kind);
+        CHECK_THROWS_AS(recorded_run(directory), DataError);
+        CHECK_THROWS_WITH(recorded_run(directory),
+                          Contains("'kind' is ") && Contains("its deck is one of kind 'fluid'"));
+    }
+    change_record(directory, "kind", "fluid");
     for (const Data& threads : {Data(0), Data(-5), Data(1e300)}) {
         change_record(directory, "threads", threads);
         CHECK_THROWS_AS(recorded_run(directory), DataError);

@@ -10,6 +10,7 @@ Exit codes: 0 all is well, 1 it is not, 77 something is missing here (1 with LJM
 import argparse
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -59,17 +60,17 @@ class Bench:
             self.locals[command] = (context, context.run(*command))
         return self.locals[command]
 
-    def run(self, *arguments):
-        done = subprocess.run([self.ljmd, *arguments], cwd=self.here.dir, env=self.environment, capture_output=True,
+    def run(self, *arguments, **variables):
+        done = subprocess.run([self.ljmd, *arguments], cwd=self.here.dir, env={**self.environment, **variables}, capture_output=True,
                               text=True, stdin=subprocess.DEVNULL, timeout=waiting.PATIENCE, check=False)
         return Result(done.returncode, done.stdout, done.stderr)
 
-    def expect(self, code, *arguments):
-        return self.here.expect(code, self.run(*arguments))
+    def expect(self, code, *arguments, **variables):
+        return self.here.expect(code, self.run(*arguments, **variables))
 
-    def submit(self, *command):
+    def submit(self, *command, **variables):
         """@return the number of the array"""
-        result = self.expect(0, *command, *SLURM, "--json")
+        result = self.expect(0, *command, *SLURM, "--json", **variables)
         words = json.loads(result.out)["submitted"].split()
         self.here.equal(words[0], "array", "what was submitted")
         return words[1]
@@ -173,7 +174,7 @@ def the_controller_killed(b):
     b.cluster.wait_until_saved()
     b.cluster.kill("slurmctld")
     result = b.expect(7, *LONGER, *SLURM)
-    b.here.contains(result.err, "error: squeue fails, so it is not known whether the study is queued already.")
+    b.here.contains(result.err, "error: squeue fails with exit status 1. It is not known whether the study is queued already")
     b.cluster.start_controller()
     # It may take tasks for running that have ended meanwhile, or that it was about to start: what still hangs in the queue
     # when no point has been running for many looks is cancelled, as a person would do.
@@ -212,6 +213,34 @@ def submitted_twice(b):
     b.check_gathered(*LONG)
 
 
+def variables_of_slurm(b):
+    """Those by which squeue would hide the array, and sbatch would wait for it or make another one."""
+    elsewhere = {"SLURM_CLUSTERS": "other", "SBATCH_CLUSTERS": "other"}
+    array = b.submit(*LONG, SBATCH_WAIT="1", SBATCH_ARRAY_INX="7", SBATCH_JOB_NAME="mine", **elsewhere)
+    b.begun(1)  # the command has not waited for the end of the array
+    tasks = b.cluster.command("squeue", "--noheader", "--array", "--format=%F %K").stdout.splitlines()
+    b.here.check(tasks and all(task.split()[0] == array and int(task.split()[1]) <= 4 for task in tasks), f"tasks {tasks} of array {array}")
+    for name, value in {"SQUEUE_STATES": "COMPLETED", "SQUEUE_PARTITION": "none", "SQUEUE_USERS": "nobody", "SQUEUE_ACCOUNT": "a",
+                        "SQUEUE_QOS": "a", "SQUEUE_LICENSES": "a", "SQUEUE_FORMAT": "%i", "SQUEUE_NAMES": "a"}.items():
+        result = b.expect(9, *LONG, *SLURM, **{name: value}, **elsewhere)
+        b.here.contains(result.err, f"error: array {array} of ")
+    b.cluster.command("scancel", array)
+    b.cluster.wait_for_tasks()
+
+
+def options_are_those_of_sbatch(b):
+    """What ljmd takes for an option with, or without, a value is one for sbatch."""
+    told = b.expect(2, *PLAIN, "--slurm", "--wait").err
+    names = re.findall(r"--([a-z-]+)(?: \(-(\w)\))?(?:,|$)", told.split("in a word: ")[1].strip())
+    b.here.check(len(names) > 50, f"{len(names)} options are told")
+    for name, letter in names:
+        needs_value = "needs a value" in b.run(*PLAIN, "--slurm", f"--{name}", PATH="/nowhere").err
+        for word in (f"--{name}", f"-{letter}") if letter else (f"--{name}",):
+            said = b.cluster.command("sbatch", word, check=False).stderr
+            b.here.check(not re.search("unrecognized|invalid option|ambiguous", said), f"sbatch has no {word}: {said}")
+            b.here.equal("requires an argument" in said, needs_value, f"whether {word} needs a value")
+
+
 def submitted_twice_at_once(b):
     both = [subprocess.Popen([b.ljmd, *PLAIN, *SLURM], cwd=b.here.dir, env=b.environment, stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(2)]
@@ -235,7 +264,8 @@ def a_reproduced_table(b):
 
 
 CASES = [plain, several_points_in_a_task, cancelled_and_given_again, warned_before_the_time_limit, a_node_down,
-         the_controller_killed, a_failing_point, submitted_twice, submitted_twice_at_once, refused_by_slurm, a_reproduced_table]
+         the_controller_killed, a_failing_point, submitted_twice, submitted_twice_at_once, variables_of_slurm, options_are_those_of_sbatch,
+         refused_by_slurm, a_reproduced_table]
 
 
 def run_cases(ljmd, directory, cases, times):

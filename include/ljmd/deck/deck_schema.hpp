@@ -13,8 +13,9 @@ enum class DeckKind {
     few_body,  ///< bodies without a box: `[force]` and `[[body]]`
 };
 
-/// The keys of a deck. Decks are validated with them, and the reference page is made from them.
-[[nodiscard]] Schema deck_schema(DeckKind kind);
+/// The keys of a deck. Decks are validated with them, and the reference page is made from them. They are
+/// described once in a process: a study loads thousands of decks.
+[[nodiscard]] const Schema& deck_schema(DeckKind kind);
 
 /// The tables by which a few-body deck is known: one with any of them is no fluid.
 [[nodiscard]] std::vector<std::string> marks_of_few_bodies();

@@ -62,7 +62,8 @@ class AtomFrames {
 [[nodiscard]] Data trajectory_atoms(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                                     Index expected, std::vector<std::string>& warnings);
 
-/// Neighbours of each atom within a distance. @pre the edges are above 0
+/// Neighbours of each atom within a distance, at most 255. At most 2048 atoms are looked at for each: where there are
+/// more than 9 in sigma^3, the number may be too small. @pre the edges are above 0
 [[nodiscard]] std::vector<std::uint8_t> neighbour_counts(const std::vector<Vec3>& positions, const Vec3& edges,
                                                          double distance);
 

@@ -73,6 +73,10 @@ void write_output(const std::filesystem::path& file, const Replacing& allowed,
                   const std::function<void(OutputFile&)>& fill);
 void write_output(const std::filesystem::path& file, const Replacing& allowed, std::string_view text);
 
+/// The name of a directory that is made for outputs: `name` and `ending`. Of a name that is too long with it for a file
+/// system, the end is left out.
+[[nodiscard]] std::string output_name(std::string name, const std::string& ending);
+
 // Checks of every command before it writes, so that nothing is replaced without permission.
 
 /// The files and links in a directory that have one of these names.

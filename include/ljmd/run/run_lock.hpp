@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/run/earlier_run.hpp"
@@ -35,6 +36,21 @@ class RunLock {
     /// The new run can be resumed: remove the earlier one.
     void has_begun();
 
+    /// Call `work`, which runs in the directory.
+    /// @throws FileError  and says that the run cannot be resumed, if it fails before has_begun()
+    template <class Work>
+    auto run(const Work& work) {
+        try {
+            return work();
+        } catch (const FileError& error) {
+            if (begun_) {
+                throw;
+            }
+            throw FileError(std::string(error.what()) +
+                            "\n  it cannot be resumed, because it has no checkpoint yet: begin it again");
+        }
+    }
+
     /// Warn at the end if the directory was moved, so that the files are not where the user expects them.
     void warn_if_moved() const;
 
@@ -42,6 +58,7 @@ class RunLock {
     DirectoryLock lock_;
     Warn warn_;
     std::optional<EarlierRun> earlier_;
+    bool begun_ = false;
 };
 
 }  // namespace ljmd

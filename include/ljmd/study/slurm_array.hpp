@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/run/interruption.hpp"
+
 namespace ljmd {
 
 /// Tasks of an array at most: clusters number them up to MaxArraySize - 1, which is 1000 by default.
@@ -15,8 +17,9 @@ inline constexpr std::size_t max_array_tasks = 1000;
 [[nodiscard]] std::vector<std::string> shell_words(const std::string& text);
 
 /// Options of sbatch that a user gives, as words.
-/// @throws InputError  a quote is not closed, or there is one of `--array` and `--job-name`, in whatever form sbatch
-/// takes it: the tasks are the points of the study, and the name is that by which the array is found in the queue
+/// @throws InputError  a quote is not closed, an option has no value, or a word is none of the options that are allowed
+/// by name. Not allowed are those that say which jobs there are, by which names and on which clusters, and what sbatch
+/// prints: --array, --job-name, --clusters, --wait, --test-only, --quiet, ...
 [[nodiscard]] std::vector<std::string> sbatch_options(const std::string& text);
 
 /// The tasks of an array as sbatch wants them: "1-3,7". @param tasks  in increasing order
@@ -28,17 +31,22 @@ inline constexpr std::size_t max_array_tasks = 1000;
 [[nodiscard]] std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std::size_t tasks);
 
 /// A study whose runs are the tasks of a job array in Slurm. Each task is a worker of the study. Slurm is asked by
-/// squeue and sbatch, once when an array is submitted; how far the runs are is told by their directories alone.
+/// squeue and sbatch, once when an array is submitted, without those variables that make them look or act elsewhere;
+/// how far the runs are is told by their directories alone.
 class SlurmArray {
   public:
     /// @param command    "sweep" or "reproduce"
     /// @param directory  of the study; the name of the array is made from its canonical path
     /// @param options    of sbatch, in one text, as sbatch_options() takes them
+    /// @param interruption  stops a program of Slurm that does not answer
+    /// @param seconds       for which an answer is waited
     /// @throws InputError  as sbatch_options(), or sbatch or squeue is not on this computer
-    SlurmArray(std::string command, const std::filesystem::path& directory, const std::string& options);
+    SlurmArray(std::string command, const std::filesystem::path& directory, const std::string& options,
+               const Interruption& interruption, double seconds = 300.0);
 
     /// @throws InUseError  an array of this study is queued or running
-    /// @throws ProcessesError  squeue fails, e.g. because the controller does not answer
+    /// @throws ProcessesError  squeue fails, e.g. because the controller does not answer, does not answer in time, or
+    /// prints what is no queue  @throws Interrupted
     void require_none() const;
 
     /// Submit an array for the runs that are not finished.
@@ -46,9 +54,17 @@ class SlurmArray {
     /// @param force  replace a script that is none of ours
     /// @return "array 17 of 3 tasks"
     /// @throws InputError  sbatch refuses it; OutputRefused as require_writable(); FileError
+    /// @throws ProcessesError  it is not known whether sbatch has taken it  @throws Interrupted
     [[nodiscard]] std::string submit(const std::vector<bool>& finished, std::size_t jobs, bool force) const;
 
   private:
+    struct Answer {
+        int status;
+        std::string text;    ///< its stdout
+        std::string errors;  ///< its stderr
+    };
+    [[nodiscard]] Answer answer_of(const std::filesystem::path& program, std::vector<std::string> arguments,
+                                   std::vector<std::string> without, const std::string& consequence) const;
     [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;
 
     std::string command_;
@@ -57,6 +73,8 @@ class SlurmArray {
     std::filesystem::path sbatch_;
     std::filesystem::path squeue_;
     std::string name_;
+    Interruption interruption_;
+    double seconds_;
 };
 
 }  // namespace ljmd

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <set>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -144,8 +146,27 @@ void check_forces(const fs::path& path, Index number, const Frame& frame) {
                                 frame.ids.empty() ? static_cast<Index>(k) + 1 : frame.ids[k]));
 }
 
-/// All frames of a file. A file that ends within a frame is refused: an engine that stops there has failed.
-std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std::vector<std::string>& warnings) {
+/// The step of a frame, which may have only a time.
+Index step_of(const fs::path& path, Index number, const Configuration& configuration, double time_step) {
+    constexpr double off = 1e-3;  // of a step
+    if (configuration.step) {
+        return *configuration.step;
+    }
+    const double steps = configuration.time.value_or(0.0) / time_step;
+    if (!configuration.time || std::abs(steps - std::round(steps)) > off) {
+        throw DataError(fmt::format(
+            "{}: frame {} has no step{}: which step of the trajectory it is, is not known", path.string(), number,
+            configuration.time ? ", and its time is not a multiple of the time step" : " and no time"));
+    }
+    return static_cast<Index>(std::llround(steps));
+}
+
+/// The frames of a file that are wanted: an engine may write any number of them, which are read one by one. A file that
+/// ends within a frame is refused: an engine that stops there has failed.
+/// @param is_wanted  called with each frame and its number
+template <class IsWanted>
+std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std::vector<std::string>& warnings,
+                               const IsWanted& is_wanted) {
     const auto atoms = static_cast<Index>(problem.fluid.masses.size());
     const auto reader = open_trajectory(path, std::nullopt);
     std::vector<Frame> frames;
@@ -157,7 +178,9 @@ std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std
         }
         check_box(path, number, frame.configuration.edges, problem.fluid.edges);
         check_forces(path, number, frame);
-        frames.push_back(std::move(frame));
+        if (is_wanted(frame, number)) {
+            frames.push_back(std::move(frame));
+        }
     }
     for (const std::string& warning : reader->warnings()) {
         if (warning.find("before it") != std::string::npos) {
@@ -168,31 +191,16 @@ std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std
     return frames;
 }
 
-/// Steps of frames that have only times.
-void find_steps(const fs::path& path, double time_step, std::vector<Frame>& frames) {
-    constexpr double off = 1e-3;  // of a step
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-        Frame& frame = frames[k];
-        if (frame.configuration.step) {
-            continue;
-        }
-        const std::optional<double> time = frame.configuration.time;
-        const double steps = time.value_or(0.0) / time_step;
-        if (!time || std::abs(steps - std::round(steps)) > off) {
-            throw DataError(fmt::format("{}: frame {} has no step{}: which step of the trajectory it is, is not known",
-                                        path.string(), k + 1,
-                                        time ? ", and its time is not a multiple of the time step" : " and no time"));
-        }
-        frame.configuration.step = static_cast<Index>(std::llround(steps));
-    }
-}
-
 std::vector<double> optional_column(const DataTable& table, const std::string& name, const fs::path& path) {
     return std::ranges::find(table.columns, name) == table.columns.end() ? std::vector<double>{}
                                                                          : full_column(table, name, path);
 }
 
 ThermoAnswer read_thermo(const fs::path& path) {
+    constexpr std::uintmax_t most = std::uintmax_t{256} << 20U;  // bytes: millions of rows
+    if (files::size_of(path).value_or(0) > most) {
+        throw DataError(fmt::format("{} is larger than {} MiB: write fewer rows", path.string(), most >> 20U));
+    }
     const DataTable table = read_csv(path);
     if (table.rows.empty()) {
         throw DataError(fmt::format("{} has no row", path.string()));
@@ -219,10 +227,14 @@ Answer read_answer(const fs::path& directory, const Problem& problem) {
         read_point(path, atoms, problem.wants("point"), answer);
     }
     if (const auto path = problem.wants("point") ? frames_file(directory, "point") : std::nullopt) {
-        std::vector<Frame> frames = read_frames(*path, problem, answer.warnings);
-        if (frames.size() != 1 || frames[0].forces.empty()) {
+        Index count = 0;
+        std::vector<Frame> frames = read_frames(*path, problem, answer.warnings, [&](const Frame&, Index number) {
+            count = number;
+            return number == 1;
+        });
+        if (count != 1 || frames[0].forces.empty()) {
             throw DataError(fmt::format("{} must hold one frame with forces, it has {}", path->string(),
-                                        frames.size() == 1 ? "none" : fmt::format("{} frames", frames.size())));
+                                        count == 1 ? "none" : fmt::format("{} frames", count)));
         }
         if (!answer.point.forces.empty()) {
             throw DataError(
@@ -231,8 +243,13 @@ Answer read_answer(const fs::path& directory, const Problem& problem) {
         answer.point.forces = std::move(frames[0].forces);
     }
     if (const auto path = problem.wants("trajectory") ? frames_file(directory, "frames") : std::nullopt) {
-        answer.frames = read_frames(*path, problem, answer.warnings);
-        find_steps(*path, problem.stage.time_step, answer.frames);
+        std::set<Index> seen;
+        answer.frames = read_frames(*path, problem, answer.warnings, [&](Frame& frame, Index number) {
+            const Index step = step_of(*path, number, frame.configuration, problem.stage.time_step);
+            frame.configuration.step = step;
+            // The first one shows that there are frames, whatever their steps.
+            return number == 1 || (std::ranges::binary_search(problem.frames, step) && seen.insert(step).second);
+        });
     }
     if (const fs::path path = directory / "thermo.csv"; problem.wants("averages") && files::exists(path)) {
         answer.thermo = read_thermo(path);

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -97,41 +95,30 @@ std::string engine_command(const std::string& command, const fs::path& input, co
 
 void run_engine(const std::string& command, const fs::path& log, double seconds, const Interruption& interruption) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds look_again{10};
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     ChildProcess engine(
-        {.program = "/bin/sh", .arguments = {"-c", command}, .directory = ".", .output = log, .own_group = true});
-    const auto stop = [&] {
-        engine.signal_group(SIGKILL);
-        static_cast<void>(engine.wait());
-    };
-    while (true) {
-        if (const std::optional<int> status = engine.ended()) {
-            if (*status != 0) {
-                constexpr int signals_from = 128;
-                throw DataError(fmt::format("the engine failed: {}{}",
-                                            *status > signals_from
-                                                ? fmt::format("signal {} ended it", *status - signals_from)
-                                                : fmt::format("exit status {}", *status),
-                                            last_words(log)));
-            }
-            return;
-        }
+        {.program = "/bin/sh", .arguments = {"-c", command}, .directory = ".", .output = log, .kept = true});
+    const auto prints_too_much = [&] { return files::size_of(log).value_or(0) > most_printed; };
+    const std::optional<int> status =
+        engine.wait_while([&] { return !interruption.request() && Clock::now() < end && !prints_too_much(); });
+    if (!status) {
+        engine.stop();
         if (interruption.request()) {
-            stop();
             interruption.stop_many_runs();
         }
-        if (Clock::now() >= end) {
-            stop();
-            throw DataError(fmt::format("the engine was stopped after {:g} s: it takes longer than --timeout allows{}",
-                                        seconds, last_words(log)));
-        }
-        if (files::size_of(log).value_or(0) > most_printed) {
-            stop();
-            throw DataError(fmt::format("the engine was stopped: it prints more than {} MiB, which nobody reads{}",
-                                        most_printed >> 20U, last_words(log)));
-        }
-        std::this_thread::sleep_for(look_again);
+        throw DataError(
+            prints_too_much()
+                ? fmt::format("the engine was stopped: it prints more than {} MiB, which nobody reads{}",
+                              most_printed >> 20U, last_words(log))
+                : fmt::format("the engine was stopped after {:g} s: it takes longer than --timeout allows{}", seconds,
+                              last_words(log)));
+    }
+    if (*status != 0) {
+        constexpr int signals_from = 128;
+        throw DataError(fmt::format("the engine failed: {}{}",
+                                    *status > signals_from ? fmt::format("signal {} ended it", *status - signals_from)
+                                                           : fmt::format("exit status {}", *status),
+                                    last_words(log)));
     }
 }
 

@@ -66,10 +66,12 @@ class Hash {
     std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
 };
 
-void read_exactly(std::ifstream& file, char* to, std::size_t size) {
-    file.read(to, static_cast<std::streamsize>(size));
+void read_exactly(std::ifstream& file, char* to, std::size_t size, const std::string& name = "it") {
+    if (!file.bad()) {
+        file.read(to, static_cast<std::streamsize>(size));
+    }
     if (!file) {
-        throw CheckpointError("it " + why_reading_failed());
+        throw CheckpointError(fmt::format("{} {}", name, why_reading_failed()));
     }
 }
 
@@ -124,10 +126,9 @@ CheckpointFile checked(const fs::path& path) {
 }  // namespace
 
 Archive CheckpointFile::content() const {
-    stream->clear();
-    stream->seekg(sizeof(Head));
-    return {length, [file = stream](std::span<std::byte> piece) {
-                read_exactly(*file, reinterpret_cast<char*>(piece.data()), piece.size());
+    go_to(*stream, sizeof(Head));
+    return {length, [file = stream, name = path.string()](std::span<std::byte> piece) {
+                read_exactly(*file, reinterpret_cast<char*>(piece.data()), piece.size(), name);
             }};
 }
 

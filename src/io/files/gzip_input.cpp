@@ -30,13 +30,12 @@ GzipInput::~GzipInput() {
 }
 
 void GzipInput::rewind() {
-    packed_.clear();
-    packed_.seekg(0);
     inflateReset(&stream_);
     stream_.avail_in = 0;
     unpacked_ = 0;
     in_member_ = false;
-    fault_.clear();
+    go_to(packed_, 0);
+    fault_ = packed_.bad() ? why_reading_failed() : "";
     is_cut_ = false;
     setg(nullptr, nullptr, nullptr);
 }

@@ -104,6 +104,13 @@ std::string read_input(const fs::path& path) {
     return text;
 }
 
+void go_to(std::istream& stream, std::streamoff place) {
+    stream.clear();
+    if (!stream.seekg(place)) {
+        stream.setstate(std::ios::badbit);
+    }
+}
+
 std::string why_reading_failed() {
     return "cannot be read: " + std::generic_category().message(errno);
 }

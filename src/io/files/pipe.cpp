@@ -11,11 +11,8 @@
 namespace ljmd {
 
 Pipe::Pipe() {
-    if (::pipe(ends_) != 0) {
+    if (::pipe2(ends_, O_CLOEXEC) != 0) {
         throw FileError("cannot make a pipe: " + std::generic_category().message(errno));
-    }
-    for (const int end : ends_) {
-        ::fcntl(end, F_SETFD, FD_CLOEXEC);
     }
 }
 

@@ -71,11 +71,11 @@ TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest
     file_ = open_input(path);
     size_ = static_cast<Index>(file_.seekg(0, std::ios::end).tellg());
     if (size_ < 0) fail_at(0, why_reading_failed());
-    file_.seekg(0);
+    go_to(file_, 0);
     const bool is_packed = is_gzip(beginning_of(file_));
     if (file_.bad()) fail_at(0, why_reading_failed());
-    file_.clear();
-    file_.seekg(0);
+    go_to(file_, 0);
+    if (file_.bad()) fail_at(0, why_reading_failed());
     if (is_packed) {
         size_ = largest_compression * size_ + default_text;
         gzip_ = std::make_unique<GzipInput>(file_, size_);
@@ -113,11 +113,12 @@ bool TextFile::next_line() {
 }
 
 void TextFile::rewind() {
-    stream_.clear();
     if (gzip_) {
+        stream_.clear();
         gzip_->rewind();
     } else {
-        stream_.seekg(0);
+        go_to(stream_, 0);
+        if (stream_.bad()) fail_at(0, why_reading_failed());
     }
     line_ = {};
     line_number_ = 0;

@@ -168,15 +168,19 @@ Index BlockingAccumulator::samples() const {
 }
 
 Eigen::VectorXd BlockingAccumulator::mean() const {
+    return mean_of(0, width_);
+}
+
+Eigen::VectorXd BlockingAccumulator::mean_of(Index first, Index count) const {
     if (levels_.empty()) {
-        return Eigen::VectorXd::Constant(width_, nan);
+        return Eigen::VectorXd::Constant(count, nan);
     }
     // Every sample is in exactly one pending block; their lengths are the binary digits of the number of samples.
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count);
     double length = 1.0;
     for (const Level& level : levels_) {
         if (level.blocks % 2 == 1) {
-            sum += length * level.pending;
+            sum += length * level.pending.segment(first, count);
         }
         length *= 2.0;
     }
@@ -227,7 +231,7 @@ std::vector<BlockLevel> BlockingAccumulator::levels(Index component) const {
 
 Estimate BlockingAccumulator::estimate(Index component) const {
     check(component);
-    return choose_level(mean()(component), samples(), levels(component));
+    return choose_level(mean_of(component, 1)[0], samples(), levels(component));
 }
 
 Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient,

@@ -82,6 +82,24 @@ TEST_CASE("forces may stand in a frame of their own, and times in the place of s
     CHECK(answer.frames.at(1).configuration.step == 10);
 }
 
+TEST_CASE("of however many frames only the judged ones are kept, once each, and one that shows that there are some") {
+    Place place;
+    place.problem.frames = {10, 20};
+    std::string many;
+    for (int step = 1; step <= 1000; ++step) {
+        many += frame(fmt::format("step={}", step % 50));
+    }
+    place.write("frames.xyz", many);
+    std::vector<Index> steps;
+    for (const Frame& each : place.read().frames) {
+        steps.push_back(each.configuration.step.value());
+    }
+    CHECK(steps == std::vector<Index>{1, 10, 20});
+    place.write("thermo.csv", "step,kinetic_energy\n0,1\n");
+    std::filesystem::resize_file(place.folder / "thermo.csv", std::uintmax_t{257} << 20U);  // of zeros, without blocks
+    CHECK_THAT(place.complaint(), Contains("thermo.csv is larger than 256 MiB: write fewer rows"));
+}
+
 TEST_CASE("an answer that cannot be used is refused with the file and what is expected") {
     struct Wrong {
         std::string name;

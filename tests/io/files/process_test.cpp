@@ -77,7 +77,7 @@ TEST_CASE("a program has our environment and what is added to it") {
         CHECK_THAT(said, Catch::Contains(line));
     }
     CHECK_THAT(said, !Catch::Contains("LJMD_TEST_REPLACED=ours"));
-    CHECK(run_process({.program = program, .directory = directory, .output = "less", .without = "LJMD_TEST_"}) == 0);
+    CHECK(run_process({.program = program, .directory = directory, .output = "less", .without = {"LJMD_TEST_"}}) == 0);
     CHECK_THAT(content_of(directory / "less"), !Catch::Contains("LJMD_TEST_") && Catch::Contains("PATH="));
 }
 
@@ -188,6 +188,64 @@ TEST_CASE("a program with a group of its own is in another one than this") {
                 0);
         CHECK((std::stol(content_of(folder / "said")) == getpgrp()) != own_group);
     }
+}
+
+TEST_CASE("what a kept program has started ends with it, when it is stopped, and when this process is killed") {
+    const TemporaryFolder folder;
+    // Children that have left it: in a session of their own, in the background, deaf to signals. All hold the pipe
+    // open.
+    const fs::path program = script(folder / "program", R"(trap '' HUP INT QUIT TERM
+setsid sh -c 'trap "" HUP INT QUIT TERM; (sleep 100000 & sleep 100000) & sleep 100000' &
+(setsid sleep 100000 &)
+echo here > begun
+while [ ! -e go ]; do sleep 0.01; done)");
+    enum class End { its_own, stopped, killed };
+    for (const End end : {End::its_own, End::stopped, End::killed}) {
+        CAPTURE(static_cast<int>(end));
+        fs::remove(folder / "begun");
+        fs::remove(folder / "go");
+        int alive[2] = {};
+        REQUIRE(::pipe(alive) == 0);
+        const pid_t parent = ::fork();
+        if (parent == 0) {
+            ChildProcess child({.program = program, .directory = folder / "", .output = "said", .kept = true});
+            while (!fs::exists(folder / "begun")) {
+                ::usleep(1000);
+            }
+            if (end == End::killed) {
+                std::raise(SIGKILL);
+            } else if (end == End::stopped) {
+                child.stop();
+            } else {
+                std::ofstream(folder / "go") << "now";
+            }
+            ::_exit(child.wait());
+        }
+        ::close(alive[1]);
+        int status = 0;
+        CHECK(::waitpid(parent, &status, 0) == parent);
+        pollfd ended{.fd = alive[0], .events = POLLIN, .revents = 0};
+        // All have ended when a kept program has, so that nothing is waited for; but for the death of this process.
+        constexpr int patience = 900'000;  // [ms]
+        CHECK(::poll(&ended, 1, end == End::killed ? patience : 0) == 1);
+        CHECK((end == End::killed ? WIFSIGNALED(status) : WIFEXITED(status)));
+        CHECK((end == End::killed || WEXITSTATUS(status) == (end == End::stopped ? 128 + SIGKILL : 0)));
+        ::close(alive[0]);
+    }
+}
+
+TEST_CASE("a program that cannot be kept is told of, and one that is kept tells its exit status") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(
+        ChildProcess({.program = folder / "absent", .directory = folder / "", .output = "said", .kept = true}),
+        FileError);
+    const fs::path program = script(folder / "program", "echo out; echo error >&2; exit 7");
+    CHECK(run_process(
+              {.program = program, .directory = folder / "", .output = "said", .errors = "errors", .kept = true}) == 7);
+    CHECK(content_of(folder / "said") == "out\n");
+    CHECK(content_of(folder / "errors") == "error\n");
+    const fs::path killed = script(folder / "killed", "kill -TERM $$");
+    CHECK(run_process({.program = killed, .directory = folder / "", .output = "said", .kept = true}) == 128 + SIGTERM);
 }
 
 TEST_CASE("a program takes over the process: its exit status, and what is added to the environment") {

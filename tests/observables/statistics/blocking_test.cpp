@@ -415,3 +415,18 @@ TEST_CASE("block averages whose levels do not go together are not taken from an 
         CHECK_THROWS_AS(restore(changed(1, blocks)), CheckpointError);
     }
 }
+
+TEST_CASE("the estimates of a million components do not look at all for each one") {
+    constexpr Index width = 1'000'000;
+    BlockingAccumulator blocks(width, Covariance::diagonal);
+    const Eigen::VectorXd series = Eigen::VectorXd::LinSpaced(width, 0.0, 1.0);
+    for (int sample = 0; sample < 4; ++sample) {
+        blocks.add(series.array() + sample);
+    }
+    const Eigen::VectorXd means = blocks.mean();
+    Index alike = 0;
+    for (Index component = 0; component < width; ++component) {
+        alike += blocks.estimate(component).mean == means[component] ? 1 : 0;
+    }
+    CHECK(alike == width);
+}

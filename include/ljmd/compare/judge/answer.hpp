@@ -38,7 +38,7 @@ struct Answer {
     std::string engine;                         ///< how it calls itself; empty if it does not say
     std::optional<Index> degrees_of_freedom{};  ///< of its thermostat, if it says so
     PointAnswer point;
-    std::vector<Frame> frames;  ///< ascending steps; positions may be wrapped or not
+    std::vector<Frame> frames;  ///< the first one, and those at judged steps; positions may be wrapped or not
     std::optional<ThermoAnswer> thermo{};
     std::vector<std::string> warnings;  ///< remarks on the files
 };

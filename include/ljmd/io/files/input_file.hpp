@@ -29,6 +29,9 @@ namespace ljmd {
 /// All bytes of a file. @throws DataError with the path, when it is not a regular file or cannot be read to its end
 [[nodiscard]] std::string read_input(const std::filesystem::path& path);
 
+/// Go to a place in a stream. If that fails the stream is bad(), as after a read that failed.
+void go_to(std::istream& stream, std::streamoff place);
+
 /// Why the last read from a stream failed: "cannot be read: Input/output error". Call it at once: it reads errno.
 [[nodiscard]] std::string why_reading_failed();
 

@@ -4,12 +4,15 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/pipe.hpp"
 
 namespace ljmd {
 
@@ -19,9 +22,15 @@ struct Process {
     std::vector<std::string> arguments{};
     std::filesystem::path directory;  ///< working directory
     std::filesystem::path output;     ///< file for its stdout and stderr; a relative path is relative to `directory`
+    std::filesystem::path errors{};   ///< file for its stderr alone; empty: that goes where stdout goes
     std::vector<std::pair<std::string, std::string>> environment{};  ///< added to the environment of this process
-    std::string without{};   ///< variables whose names begin with this are left out of the environment; empty: none
+    /// Variables are left out of the environment whose "NAME=value" begins with one of these, "NAME=" or "PREFIX_".
+    std::vector<std::string> without{};
     bool own_group = false;  ///< a process group of its own: Ctrl-C does not reach it, the caller must stop it
+    /// It runs, in a group of its own, below a keeper: a process that ends it and all of its descendants, also those
+    /// that have left it, when it ends itself, when it is stopped, and when this process ends, for whatever reason.
+    /// Linux only; who kills the keeper and this process in the same moment leaves descendants behind.
+    bool kept = false;
     /// Signal sent to it (Linux only) when the thread that started it ends first, for whatever reason; 0: none.
     int at_our_end = SIGKILL;
     int input = -1;              ///< descriptor used as stdin; -1: empty stdin
@@ -52,12 +61,14 @@ class ChildProcess {
     /// Wait until it ends. @return as ended()  @throws FileError
     [[nodiscard]] int wait() { return *wait(true); }
 
-    /// Send it a signal, unless it is known to have ended.
+    /// Wait until it ends, and ask every 10 ms whether to go on. @return as ended()  @throws FileError
+    [[nodiscard]] std::optional<int> wait_while(const std::function<bool()>& go_on);
+
+    /// Send it a signal, unless it is known to have ended. @pre it is not kept
     void signal(int number) const;
 
-    /// Send a signal to it and to all processes of its group, unless it is known to have ended.
-    /// @pre it was started with own_group
-    void signal_group(int number) const;
+    /// End it and all of its descendants at once. @pre it is kept  @throws FileError
+    void stop();
 
   private:
     std::optional<int> wait(bool block);
@@ -65,6 +76,7 @@ class ChildProcess {
     std::string name_;
     pid_t id_ = 0;
     std::optional<int> status_;
+    std::unique_ptr<Pipe> lifeline_;  ///< of the keeper, which ends when it is closed or written to; null: none
 };
 
 /// Run a program and wait until it ends.

@@ -128,6 +128,8 @@ class BlockingAccumulator {
     [[nodiscard]] Index kept_products() const { return products(width_, covariance_); }
     [[nodiscard]] Index diagonal(Index component) const;  ///< index of its variance among the products
 
+    /// Means of `count` components from `first` on.
+    [[nodiscard]] Eigen::VectorXd mean_of(Index first, Index count) const;
     void accumulate(Level& level, const Eigen::VectorXd& block) const;
     void check(Index component) const;
     template <class Deviation>

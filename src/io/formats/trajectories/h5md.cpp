@@ -63,12 +63,15 @@ std::uint64_t checksum(const std::vector<double>& first_positions) {
     return XXH3_64bits(first_positions.data(), first_positions.size() * sizeof(double));
 }
 
-/// The numbers at this offset in a file; zeros after its end.
+/// The numbers at this offset in a file; zeros after its end. @throws DataError
 std::vector<double> numbers_at(const std::filesystem::path& path, std::uint64_t place, std::size_t count) {
     std::vector<double> numbers(count);
     std::ifstream file = open_input(path);
-    file.seekg(static_cast<std::streamoff>(place));
+    go_to(file, static_cast<std::streamoff>(place));
     file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(count * sizeof(double)));
+    if (file.bad()) {
+        throw DataError(fmt::format("{}: {}", path.string(), why_reading_failed()));
+    }
     return numbers;
 }
 

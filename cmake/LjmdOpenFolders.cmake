@@ -1,0 +1,25 @@
+# At the end of an installation: open its folders to all users, which the umask of who installs may have closed. A folder
+# that holds anything else, or held it before, is left as it is.
+cmake_policy(VERSION 3.25)
+set(folders "")
+foreach(file IN LISTS CMAKE_INSTALL_MANIFEST_FILES)
+    cmake_path(GET file PARENT_PATH folder)
+    cmake_path(IS_PREFIX CMAKE_INSTALL_PREFIX ${folder} is_below)
+    while(is_below AND NOT folder STREQUAL CMAKE_INSTALL_PREFIX)
+        list(APPEND folders ${folder})
+        cmake_path(GET folder PARENT_PATH folder)
+    endwhile()
+endforeach()
+list(REMOVE_DUPLICATES folders)
+list(SORT folders ORDER DESCENDING) # those within others first
+set(ours ${CMAKE_INSTALL_MANIFEST_FILES})
+list(TRANSFORM ours PREPEND "$ENV{DESTDIR}")
+foreach(folder IN LISTS folders)
+    file(GLOB others "$ENV{DESTDIR}${folder}/*" "$ENV{DESTDIR}${folder}/.[!.]*")
+    list(REMOVE_ITEM others ${ours})
+    if(NOT others)
+        file(CHMOD "$ENV{DESTDIR}${folder}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+                                                        WORLD_EXECUTE)
+        list(APPEND ours "$ENV{DESTDIR}${folder}")
+    endif()
+endforeach()

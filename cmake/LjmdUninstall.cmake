@@ -1,0 +1,27 @@
+# The target `uninstall`: removes what the last installation of this build has put anywhere, and the folders of ljmd's own
+# that are empty then. Run as
+#     cmake -D manifest=<install_manifest.txt> -P LjmdUninstall.cmake
+cmake_policy(VERSION 3.25)
+if(NOT EXISTS ${manifest})
+    message(FATAL_ERROR "Nothing to uninstall: there is no ${manifest}, which 'cmake --install' writes.")
+endif()
+file(STRINGS ${manifest} installed)
+set(folders "")
+foreach(file IN LISTS installed)
+    file(REMOVE $ENV{DESTDIR}${file})
+    cmake_path(GET file PARENT_PATH folder)
+    while(folder MATCHES "/ljmd(/|$)")
+        list(APPEND folders ${folder})
+        cmake_path(GET folder PARENT_PATH folder)
+    endwhile()
+endforeach()
+list(REMOVE_DUPLICATES folders)
+list(SORT folders ORDER DESCENDING) # those within others first
+foreach(folder IN LISTS folders)
+    file(REMOVE_RECURSE $ENV{DESTDIR}${folder}/__pycache__)
+    file(GLOB left $ENV{DESTDIR}${folder}/* $ENV{DESTDIR}${folder}/.[!.]*)
+    if(NOT left)
+        file(REMOVE_RECURSE $ENV{DESTDIR}${folder})
+    endif()
+endforeach()
+file(REMOVE ${manifest})
