@@ -102,6 +102,8 @@ def path(value, name: str) -> str:
         os.fsencode(found)
     except UnicodeEncodeError:
         raise InputError(f"{name}: {value!r:.60} is no path that this system can write") from None
+    if found == "":  # pathlib would take it for the working directory
+        raise InputError(f"{name}: the name is empty")
     return found
 
 
@@ -141,10 +143,7 @@ def not_masked(array, name: str) -> None:
 
 def directory_of(value) -> pathlib.Path:
     """Absolute from here on: a function of the user's may go to another working directory."""
-    found = path(value, "directory")
-    if found == "":  # pathlib would take it for the working directory
-        raise InputError("the name of the directory is empty")
-    return pathlib.Path(found).absolute()
+    return pathlib.Path(path(value, "directory")).absolute()
 
 
 def seconds_of(walltime):
