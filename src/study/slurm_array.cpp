@@ -375,8 +375,8 @@ std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jo
                                        fmt::format("--cpus-per-task={}", jobs),
                                        fmt::format("--output={}/%a.log", literal_pattern(folder.path()))};
     arguments.insert(arguments.end(), options_.begin(), options_.end());
-    arguments.insert(arguments.end(), {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted),
-                                       worker.string()});
+    arguments.insert(arguments.end(),
+                     {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted), worker.string()});
     const std::string unknown = fmt::format("It is not known whether an array is queued: squeue --name={}", name_);
     const auto [status, text, errors] = answer_of(sbatch_, arguments,
                                                   {"SBATCH_WAIT=", "SBATCH_ARRAY_INX=", "SBATCH_JOB_NAME=",

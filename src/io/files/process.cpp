@@ -124,12 +124,13 @@ void become(const Process& process, char* const* arguments, char* const* environ
         return;
     }
     const int input = process.input >= 0 ? process.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    const int output = process.output_descriptor >= 0
-                           ? process.output_descriptor
-                           : ::open(process.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-    const int errors = process.errors.empty()
-                           ? output
-                           : ::open(process.errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int output =
+        process.output_descriptor >= 0
+            ? process.output_descriptor
+            : ::open(process.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int errors = process.errors.empty() ? output
+                                              : ::open(process.errors.c_str(),
+                                                       O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (input < 0 || output < 0 || errors < 0 || ::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 ||
         ::dup2(errors, STDERR_FILENO) < 0) {
         return;
