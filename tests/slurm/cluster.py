@@ -60,8 +60,11 @@ def find(program):
 
 def missing():
     """What a cluster needs and this computer lacks; None if nothing."""
-    if lacking := next((program for program in PROGRAMS if not find(program)), None):
-        return lacking
+    return next((program for program in PROGRAMS if not find(program)), None)
+
+
+def nameless():
+    """What no package brings; None if nothing is missing."""
     try:
         socket.getaddrinfo(socket.gethostname(), None)  # Slurm's daemons look it up, and would try again and again
     except OSError as error:

@@ -4,7 +4,8 @@ controller, the tables are those of a local sweep, byte for byte.
 
     slurm_test.py --ljmd PATH [--times N] [CASE ...]
 
-Exit codes: 0 all is well, 1 it is not, 77 something is missing here (1 with LJMD_REQUIRE_PEERS=1 in the environment).
+Exit codes: 0 all is well, 1 it is not, 77 something is missing here (1 with LJMD_REQUIRE_PEERS=1 in the environment, if
+packages bring it).
 """
 
 import argparse
@@ -334,6 +335,9 @@ def main():
         required = os.environ.get("LJMD_REQUIRE_PEERS") == "1"
         print(f"{'FAIL, as LJMD_REQUIRE_PEERS=1' if required else 'skipped'}: there is no {lacking}")
         return 1 if required else 77
+    if lacking := cluster.nameless():
+        print(f"skipped: there is no {lacking}")
+        return 77
     cases = [case for case in CASES if not options.cases or case.__name__ in options.cases]
     with tempfile.TemporaryDirectory(prefix="ljmd-slurm-") as name:
         directory = Path(name)
