@@ -1,11 +1,13 @@
 #include "ljmd/deck/forecast.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
@@ -18,7 +20,8 @@ namespace ljmd {
 
 namespace {
 
-constexpr double trial_seconds = 0.3;
+constexpr double trial_seconds = 0.3;       // of each integrator and analysis
+constexpr Index counted_steps = 1'000'000;  // in which samples are counted
 constexpr Index stand_in_atoms = 4000;
 constexpr double default_time_step = 0.004;
 constexpr double hottest_trial = 2.0;  // [epsilon/k_B]; stable with the usual time step
@@ -46,8 +49,8 @@ double seconds_per_step(const std::string& method, State& state, PairForceField&
     return took.count() / static_cast<double>(std::max<Index>(steps, 1));
 }
 
-/// Measured seconds per atom for all stages, from a trial of each integrator on a stand-in for the start.
-double seconds_per_atom(const Deck& deck, const Start& start, const Execution& execution) {
+/// A crystal that stands in for the start, as dense and as hot.
+State stand_in(const Deck& deck, const Start& start, const Execution& execution) {
     const double density = density_of(start);
     const double cutoff = deck.potential().radius;
     Index cells = nearest_cells(Lattice::fcc, std::min(start.atoms, stand_in_atoms)).above;
@@ -62,21 +65,63 @@ double seconds_per_atom(const Deck& deck, const Start& start, const Execution& e
     for (Index i = 0; i < atoms; ++i) {
         r.col(i) = sites[static_cast<std::size_t>(i)];
     }
-    const double temperature = deck.system().temperature.value_or(1.0);
-    draw_velocities(state, std::min(temperature, hottest_trial), 1);
-    PairForceField force_field = make_force_field(fluid_spec(deck), execution);
+    draw_velocities(state, std::min(deck.system().temperature.value_or(1.0), hottest_trial), 1);
+    return state;
+}
+
+/// Measured seconds for all stages, from a trial of each integrator.
+double seconds_of_stages(const Deck& deck, const State& start, PairForceField& force_field) {
     std::map<std::string, double> seconds;  // per step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
     for (const Stage& stage : deck.stages) {
         const auto [trial, is_new] = seconds.try_emplace(stage.integrator.plugin.name);
         if (is_new) {
-            State copy = state;
+            State copy = start;
             trial->second = seconds_per_step(stage.integrator.plugin.name, copy, force_field);
         }
         sum += static_cast<double>(stage.steps + std::exchange(evaluations_of_start, 0)) * trial->second;
     }
-    return sum / static_cast<double>(atoms);
+    return sum;
+}
+
+/// Configurations that an analysis samples in all stages.
+double samples_of(const Analysis& analysis, const std::vector<Stage>& stages) {
+    double sampled_steps = 0.0;
+    for (const Stage& stage : stages) {
+        sampled_steps += stage.sample ? static_cast<double>(stage.steps) : 0.0;
+    }
+    const auto looked_at = static_cast<Index>(std::min(sampled_steps, static_cast<double>(counted_steps)));
+    Index due = 0;
+    for (Index step = 1; step <= looked_at; ++step) {
+        due += analysis.due(step) ? 1 : 0;
+    }
+    return looked_at > 0 ? sampled_steps * static_cast<double>(due) / static_cast<double>(looked_at) : 0.0;
+}
+
+/// Measured seconds of all samples of an analysis. Empty if it does not take the stand-in.
+std::optional<double> seconds_of_analysis(const ChosenAnalysis& chosen, const Deck& deck, const SampledRun& run,
+                                          State state, PairForceField& force_field) {
+    if (!chosen.options->check(run).empty()) {
+        return std::nullopt;
+    }
+    try {
+        const auto analysis = chosen.options->make(run);
+        const double samples = samples_of(*analysis, deck.stages);
+        const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
+        const auto began = std::chrono::steady_clock::now();
+        std::chrono::duration<double> took{};
+        double taken = 0.0;
+        while (taken < samples && took.count() < trial_seconds) {
+            analysis->sample(state, evaluation);
+            ++state.step;
+            ++taken;
+            took = std::chrono::steady_clock::now() - began;
+        }
+        return taken > 0.0 ? samples * took.count() / taken : 0.0;
+    } catch (const PhysicsError&) {
+        return std::nullopt;  // of a crystal: the fluid may have it
+    }
 }
 
 std::string bytes(double n) {
@@ -99,8 +144,22 @@ std::string in_words(int threads) {
 
 Forecast forecast(const Deck& deck, const Start& start, const Execution& execution) {
     const auto [memory, disk] = forecast_size(deck, start);
-    return {memory, disk, static_cast<double>(start.atoms) * seconds_per_atom(deck, start, execution),
-            execution.threads()};
+    Forecast cost{memory, disk, 0.0, execution.threads()};
+    const FluidSpec spec = fluid_spec(deck);
+    const State state = stand_in(deck, start, execution);
+    PairForceField force_field = make_force_field(spec, execution);
+    double seconds = seconds_of_stages(deck, state, force_field);
+    SampledRun run = sampled_run(deck, state.total(), state.box());
+    run.interaction = spec.interaction();
+    for (const ChosenAnalysis& chosen : spec.analyses) {
+        const auto more = seconds_of_analysis(chosen, deck, run, state, force_field);
+        seconds += more.value_or(0.0);
+        if (!more) {
+            cost.not_counted.push_back(chosen.plugin.name);
+        }
+    }
+    cost.seconds = seconds * static_cast<double>(start.atoms) / static_cast<double>(state.total());
+    return cost;
 }
 
 Document check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
@@ -120,8 +179,9 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
     }
     text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
     text += fmt::format("  disk      {}about {} in {}\n", at_most, bytes(forecast.disk_bytes), deck.directory.string());
-    text += fmt::format("  time      {}about {} on this machine with {}, analyses not counted\n", at_most,
-                        duration(forecast.seconds), in_words(forecast.threads));
+    text += fmt::format("  time      {}about {} on this machine with {}{}{}\n", at_most, duration(forecast.seconds),
+                        in_words(forecast.threads), forecast.not_counted.empty() ? "" : ", not counted ",
+                        fmt::join(forecast.not_counted, ", "));
     return {{{"deck", deck.path},
              {"atoms", start.atoms},
              {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
@@ -131,7 +191,8 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
              {"steps_are_most", !at_most.empty()},
              {"memory_bytes", forecast.memory_bytes},
              {"disk_bytes", forecast.disk_bytes},
-             {"seconds", forecast.seconds}},
+             {"seconds", forecast.seconds},
+             {"analyses_not_counted", forecast.not_counted}},
             text};
 }
 

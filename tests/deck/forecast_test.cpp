@@ -32,6 +32,16 @@ TEST_CASE("any start can be told the cost of, also one that no crystal of the de
     }
 }
 
+TEST_CASE("what analyses cost is counted where a part of the fluid can show it") {
+    const Forecast without = forecast_of({});
+    const Forecast with =
+        forecast_of({"analysis.chemical_potential.every=1", "analysis.chemical_potential.insertions=20000"});
+    CHECK(with.seconds > 10.0 * without.seconds);
+    CHECK(with.not_counted.empty());
+    const std::string wide = "analysis.rdf.radius=12";  // more than half the edge of 4000 atoms
+    CHECK(forecast_of({"system.lattice.cells=20", wide}).not_counted == std::vector<std::string>{"rdf"});
+}
+
 TEST_CASE("the report of a check tells atoms, box, stages and cost") {
     const DeckFolder folder;
     const Deck deck = folder.load();
@@ -46,9 +56,12 @@ TEST_CASE("the report of a check tells atoms, box, stages and cost") {
     CHECK_THAT(text, Contains("'equilibrate': 20 steps of 0.004 tau = 0.08 tau\n"));
     CHECK_THAT(text, Contains("'production': 40 steps of 0.004 tau = 0.16 tau, sampled\n"));
     CHECK_THAT(text, Contains("about 2.5 GB") && Contains("about 3.4 MB in " + deck.directory.string()) &&
-                         Contains("about 90 min on this machine with one thread,"));
+                         Contains("about 90 min on this machine with one thread\n"));
     const std::string small = check_report(deck, find_start(deck), {2.5e4, 999e3, 1.2, 4}).text;
     CHECK_THAT(small, Contains("about 25 kB") && Contains("about 999 kB") &&
-                          Contains("about 2 s on this machine with 4 threads,"));
+                          Contains("about 2 s on this machine with 4 threads\n"));
     CHECK_THAT(check_report(deck, find_start(deck), {1.0, 1.0, 9000.0, 1}).text, Contains("about 2.5 h"));
+    const Document partly = check_report(deck, find_start(deck), {1.0, 1.0, 9000.0, 1, {"rdf", "msd"}});
+    CHECK_THAT(partly.text, Contains("with one thread, not counted rdf, msd\n"));
+    CHECK(partly.data["analyses_not_counted"] == Data::list({"rdf", "msd"}));
 }
