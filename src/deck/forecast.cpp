@@ -21,6 +21,7 @@ namespace ljmd {
 namespace {
 
 constexpr double trial_seconds = 0.3;       // of each integrator and analysis
+constexpr double most_bytes = 1e9;          // of an analysis that is tried
 constexpr Index counted_steps = 1'000'000;  // in which samples are counted
 constexpr Index stand_in_atoms = 4000;
 constexpr double default_time_step = 0.004;
@@ -102,7 +103,8 @@ double samples_of(const Analysis& analysis, const std::vector<Stage>& stages) {
 /// Measured seconds of all samples of an analysis. Empty if it does not take the stand-in.
 std::optional<double> seconds_of_analysis(const ChosenAnalysis& chosen, const Deck& deck, const SampledRun& run,
                                           State state, PairForceField& force_field) {
-    if (!chosen.options->check(run).empty()) {
+    const AnalysisSize size = chosen.options->size(run);
+    if (!chosen.options->check(run).empty() || size.kept + size.fixed + size.passing > most_bytes) {
         return std::nullopt;
     }
     try {
