@@ -148,7 +148,7 @@ PYBIND11_MODULE(_core, module) {
 }  // namespace ljmd::python
 
 /// What Python calls to import the module.
-extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {  // NOLINT(readability-identifier-naming): Python wants this name
     PyObject* is_main = ljmd::python::require_main_interpreter();
     if (is_main == nullptr) {
         return nullptr;

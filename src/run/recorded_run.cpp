@@ -6,6 +6,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/file_system.hpp"
