@@ -196,6 +196,7 @@ const SbatchOption* option_of(const std::string& word, bool& with_value) {
 
 std::string names_of_allowed() {
     std::vector<std::string> names;
+    names.reserve(allowed_options.size());
     for (const SbatchOption& option : allowed_options) {
         names.push_back(option.letter == '\0' ? fmt::format("--{}", option.name)
                                               : fmt::format("--{} (-{})", option.name, option.letter));
