@@ -86,7 +86,7 @@ class StandIn {
     [[nodiscard]] SlurmArray array(const Interruption& interruption = Interruption(), double seconds = 900.0) const {
         return {"sweep", folder_ / "study", "", interruption, seconds};
     }
-    [[nodiscard]] std::string submitted() const { return array().submit({false, true, false}, 1); }
+    [[nodiscard]] std::string submitted() const { return array().submit({false, true, false}, 1, false); }
 
   private:
     void write(const std::string& name, const std::string& text) const {
