@@ -24,8 +24,6 @@ namespace {
 
 constexpr std::align_val_t cache_line{64};
 
-#if defined(__linux__)
-
 /// Blocks of this size on are mapped by themselves. What is given back then belongs to the system again; among small
 /// blocks it would stay with the process, and the next larger block would not fit into it.
 constexpr std::size_t mapped_block = std::size_t{1} << 20;
@@ -34,21 +32,7 @@ constexpr std::size_t large_block = std::size_t{1} << 22;
 /// Large pages of x86-64, and of most other processors.
 constexpr std::size_t large_page = std::size_t{1} << 21;
 
-#if defined(LJMD_ADDRESS_SANITIZER)  // it watches what it allocates alone
-
-std::byte* map(std::size_t bytes) {
-    return static_cast<std::byte*>(::operator new (bytes, std::align_val_t{large_page}));
-}
-
-void unmap(std::byte* memory, std::size_t /*bytes*/) {
-    ::operator delete (memory, std::align_val_t{large_page});
-}
-
-std::byte* map_large(std::size_t bytes) {
-    return map(bytes);
-}
-
-#else
+#if defined(__linux__) && !defined(LJMD_ADDRESS_SANITIZER)
 
 std::byte* map(std::size_t bytes) {
     void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -76,7 +60,20 @@ std::byte* map_large(std::size_t bytes) {
     return memory + before;
 }
 
-#endif
+#else  // the sanitizer watches what it allocates alone
+
+std::byte* map(std::size_t bytes) {
+    return static_cast<std::byte*>(::operator new (bytes, std::align_val_t{large_page}));
+}
+
+void unmap(std::byte* memory, std::size_t /*bytes*/) {
+    ::operator delete (memory, std::align_val_t{large_page});
+}
+
+std::byte* map_large(std::size_t bytes) {
+    return map(bytes);
+}
+
 #endif
 
 thread_local const FirstTouch::Function* first_touch = nullptr;
@@ -91,7 +88,6 @@ FirstTouch::~FirstTouch() {
 }
 
 void* allocate_aligned(std::size_t bytes) {
-#if defined(__linux__)
     if (bytes >= mapped_block) {
         std::byte* memory = bytes < large_block ? map(bytes) : map_large(bytes);
         if (first_touch != nullptr) {
@@ -99,17 +95,14 @@ void* allocate_aligned(std::size_t bytes) {
         }
         return memory;
     }
-#endif
     return ::operator new(bytes, cache_line);
 }
 
 void free_aligned(void* memory, std::size_t bytes) noexcept {
-#if defined(__linux__)
     if (bytes >= mapped_block) {
         unmap(static_cast<std::byte*>(memory), bytes);
         return;
     }
-#endif
     ::operator delete(memory, cache_line);
 }
 

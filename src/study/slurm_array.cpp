@@ -96,111 +96,64 @@ std::optional<std::string> job_number(const std::string& text) {
 enum class Takes { nothing, value, value_behind_equals };
 
 struct SbatchOption {
-    std::string_view name;
+    std::string name;
     char letter;  ///< '\0': none
-    Takes takes = Takes::value;
+    Takes takes;
 };
 
-/// What a user may ask sbatch for: where, when and with what the tasks run. Others change which jobs there are, where
-/// they are found, or what sbatch prints.
-constexpr std::array allowed_options{
-    SbatchOption{"account", 'A'},
-    SbatchOption{"acctg-freq", '\0'},
-    SbatchOption{"batch", '\0'},
-    SbatchOption{"bb", '\0'},
-    SbatchOption{"bbf", '\0'},
-    SbatchOption{"begin", 'b'},
-    SbatchOption{"chdir", 'D'},
-    SbatchOption{"comment", '\0'},
-    SbatchOption{"constraint", 'C'},
-    SbatchOption{"contiguous", '\0', Takes::nothing},
-    SbatchOption{"core-spec", 'S'},
-    SbatchOption{"cores-per-socket", '\0'},
-    SbatchOption{"cpu-freq", '\0'},
-    SbatchOption{"cpus-per-task", 'c'},
-    SbatchOption{"deadline", '\0'},
-    SbatchOption{"delay-boot", '\0'},
-    SbatchOption{"dependency", 'd'},
-    SbatchOption{"distribution", 'm'},
-    SbatchOption{"error", 'e'},
-    SbatchOption{"exclude", 'x'},
-    SbatchOption{"exclusive", '\0', Takes::value_behind_equals},
-    SbatchOption{"export", '\0'},
-    SbatchOption{"extra-node-info", 'B'},
-    SbatchOption{"gpus", 'G'},
-    SbatchOption{"gpus-per-node", '\0'},
-    SbatchOption{"gpus-per-task", '\0'},
-    SbatchOption{"gres", '\0'},
-    SbatchOption{"gres-flags", '\0'},
-    SbatchOption{"hint", '\0'},
-    SbatchOption{"hold", 'H', Takes::nothing},
-    SbatchOption{"kill-on-invalid-dep", '\0'},
-    SbatchOption{"licenses", 'L'},
-    SbatchOption{"mail-type", '\0'},
-    SbatchOption{"mail-user", '\0'},
-    SbatchOption{"mcs-label", '\0'},
-    SbatchOption{"mem", '\0'},
-    SbatchOption{"mem-bind", '\0'},
-    SbatchOption{"mem-per-cpu", '\0'},
-    SbatchOption{"mem-per-gpu", '\0'},
-    SbatchOption{"mincpus", '\0'},
-    SbatchOption{"network", '\0'},
-    SbatchOption{"nice", '\0', Takes::value_behind_equals},
-    SbatchOption{"no-requeue", '\0', Takes::nothing},
-    SbatchOption{"nodelist", 'w'},
-    SbatchOption{"nodes", 'N'},
-    SbatchOption{"ntasks", 'n'},
-    SbatchOption{"ntasks-per-node", '\0'},
-    SbatchOption{"open-mode", '\0'},
-    SbatchOption{"output", 'o'},
-    SbatchOption{"overcommit", 'O', Takes::nothing},
-    SbatchOption{"oversubscribe", 's', Takes::nothing},
-    SbatchOption{"partition", 'p'},
-    SbatchOption{"power", '\0'},
-    SbatchOption{"prefer", '\0'},
-    SbatchOption{"priority", '\0'},
-    SbatchOption{"profile", '\0'},
-    SbatchOption{"propagate", '\0', Takes::value_behind_equals},
-    SbatchOption{"qos", 'q'},
-    SbatchOption{"reboot", '\0', Takes::nothing},
-    SbatchOption{"requeue", '\0', Takes::nothing},
-    SbatchOption{"reservation", '\0'},
-    SbatchOption{"signal", '\0'},
-    SbatchOption{"sockets-per-node", '\0'},
-    SbatchOption{"spread-job", '\0', Takes::nothing},
-    SbatchOption{"switches", '\0'},
-    SbatchOption{"thread-spec", '\0'},
-    SbatchOption{"threads-per-core", '\0'},
-    SbatchOption{"time", 't'},
-    SbatchOption{"time-min", '\0'},
-    SbatchOption{"tmp", '\0'},
-    SbatchOption{"use-min-nodes", '\0', Takes::nothing},
-    SbatchOption{"wckey", '\0'},
-};
+/// What a user may ask sbatch for: where, when and with what the tasks run, each with its letter. Others change which
+/// jobs there are, where they are found, or what sbatch prints.
+constexpr std::array<std::pair<Takes, std::string_view>, 3> allowed{{
+    {Takes::value,
+     "account/A acctg-freq batch bb bbf begin/b chdir/D comment constraint/C core-spec/S cores-per-socket "
+     "cpu-freq cpus-per-task/c deadline delay-boot dependency/d distribution/m error/e exclude/x export "
+     "extra-node-info/B gpus/G gpus-per-node gpus-per-task gres gres-flags hint kill-on-invalid-dep "
+     "licenses/L mail-type mail-user mcs-label mem mem-bind mem-per-cpu mem-per-gpu mincpus network "
+     "nodelist/w nodes/N ntasks/n ntasks-per-node open-mode output/o partition/p power prefer priority "
+     "profile qos/q reservation signal sockets-per-node switches thread-spec threads-per-core time/t "
+     "time-min tmp wckey"},
+    {Takes::value_behind_equals, "exclusive nice propagate"},
+    {Takes::nothing,
+     "contiguous hold/H no-requeue overcommit/O oversubscribe/s reboot requeue spread-job use-min-nodes"},
+}};
 
-/// The option that a word begins; none if that is not allowed. @param with_value  whether its value is in the word
-const SbatchOption* option_of(const std::string& word, bool& with_value) {
+std::vector<SbatchOption> allowed_options() {
+    std::vector<SbatchOption> options;
+    for (const auto& [takes, words] : allowed) {
+        std::istringstream text{std::string(words)};
+        for (std::string word; text >> word;) {
+            const std::size_t slash = word.find('/');
+            options.push_back({word.substr(0, slash), slash < word.size() ? word[slash + 1] : '\0', takes});
+        }
+    }
+    return options;
+}
+
+/// What the option that a word begins takes; nothing if that is not allowed.
+/// @param with_value  receives whether its value is in the word
+std::optional<Takes> taken_by(const std::string& word, bool& with_value) {
     const bool is_long = word.starts_with("--");
     if (!is_long && (word.size() < 2 || word[0] != '-')) {
-        return nullptr;
+        return std::nullopt;
     }
     const std::size_t equals = word.find('=');
     const std::string name = is_long ? word.substr(2, equals - 2) : "";
     with_value = is_long ? equals != std::string::npos : word.size() > 2;
-    const auto* const found = std::ranges::find_if(allowed_options, [&](const SbatchOption& option) {
-        return is_long ? option.name == name : option.letter == word[1];
-    });
-    const bool fits = found != allowed_options.end() && !(found->takes == Takes::nothing && with_value);
-    return fits ? &*found : nullptr;
+    for (const SbatchOption& option : allowed_options()) {
+        if (is_long ? option.name == name : option.letter == word[1]) {
+            return option.takes == Takes::nothing && with_value ? std::nullopt : std::optional(option.takes);
+        }
+    }
+    return std::nullopt;
 }
 
 std::string names_of_allowed() {
     std::vector<std::string> names;
-    names.reserve(allowed_options.size());
-    for (const SbatchOption& option : allowed_options) {
-        names.push_back(option.letter == '\0' ? fmt::format("--{}", option.name)
-                                              : fmt::format("--{} (-{})", option.name, option.letter));
+    for (const SbatchOption& option : allowed_options()) {
+        const std::string letter = option.letter == '\0' ? "" : fmt::format(" (-{})", option.letter);
+        names.push_back("--" + option.name + letter);
     }
+    std::ranges::sort(names);
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -242,15 +195,15 @@ std::vector<std::string> sbatch_options(const std::string& text) {
     std::vector<std::string> words = shell_words(text);
     for (std::size_t k = 0; k < words.size(); ++k) {
         bool with_value = false;
-        const SbatchOption* option = option_of(words[k], with_value);
-        if (option == nullptr) {
+        const std::optional<Takes> takes = taken_by(words[k], with_value);
+        if (!takes) {
             throw InputError(fmt::format(
                 "--slurm: {} cannot be given. Nothing was run.\n  ljmd says itself which tasks the array has, "
                 "its name and what sbatch prints; it is looked for on the cluster of this computer\n  options "
                 "that can be given, one in a word: {}",
                 in_quotes(words[k]), names_of_allowed()));
         }
-        if (option->takes == Takes::value && !with_value && ++k == words.size()) {
+        if (takes == Takes::value && !with_value && ++k == words.size()) {
             throw InputError(fmt::format("--slurm: {} needs a value. Nothing was run.", in_quotes(words.back())));
         }
     }

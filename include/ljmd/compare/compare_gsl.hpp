@@ -44,7 +44,7 @@ struct GslComparison {
 [[nodiscard]] std::string comparison_json(const GslComparison& comparison, const Deck& deck);
 
 /// Write compare-gsl.csv and compare-gsl.json into a directory, creating it if needed.
-/// @param force  replace files of these names
+/// @param force  whether existing files of these names are replaced
 /// @throws OutputRefused as require_writable(); FileError
 void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory,
                       bool force = false);

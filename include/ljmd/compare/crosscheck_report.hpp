@@ -20,7 +20,7 @@ namespace ljmd {
 
 /// Write compare-WITH.json, compare-WITH-trajectory.csv and compare-WITH-rdf.csv into a directory, creating it if
 /// needed; tables without rows are not written.
-/// @param force  replace files of these names
+/// @param force  whether existing files of these names are replaced
 /// @throws OutputRefused as require_writable(); FileError
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,
                       const std::filesystem::path& directory, bool force = false);

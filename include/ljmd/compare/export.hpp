@@ -40,7 +40,7 @@ struct Exported {
 ///     h5md     start.h5md                                 one frame, with velocities
 ///
 /// @param forces  with the forces of the deck's potential, in extxyz and h5md
-/// @param force   replace files of these names
+/// @param force   whether existing files of these names are replaced
 /// @throws InputError  the other program does not have this potential, or an external force acted on the atoms; forces
 /// are asked for where the format has none, or their potential or force is that of a program; OutputRefused as
 /// require_writable()

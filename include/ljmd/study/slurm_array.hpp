@@ -51,7 +51,7 @@ class SlurmArray {
 
     /// Submit an array for the runs that are not finished.
     /// @param jobs  runs at a time in each task
-    /// @param force  replace a script that is none of ours
+    /// @param force  whether a script that ljmd has not written is replaced
     /// @return "array 17 of 3 tasks"
     /// @throws InputError  sbatch refuses it; OutputRefused as require_writable(); FileError
     /// @throws ProcessesError  it is not known whether sbatch has taken it  @throws Interrupted

@@ -22,7 +22,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/pipe.hpp"
 
-#if __has_include(<sys/prctl.h>)
+#if defined(__linux__)
 #include <sys/prctl.h>
 #endif
 
@@ -103,11 +103,27 @@ void default_signals() {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Receive a signal when the thread that started this process ends. @return whether the parent is still alive
-bool tied_to_parent([[maybe_unused]] int number, pid_t parent) {
-#ifdef PR_SET_PDEATHSIG
+#if defined(__linux__)
+
+void end_with_parent(int number) {
     ::prctl(PR_SET_PDEATHSIG, number);
+}
+
+void adopt_orphans() {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
+
+#else  // has neither
+
+void end_with_parent(int /*number*/) {}
+
+void adopt_orphans() {}
+
 #endif
+
+/// Receive a signal when the thread that started this process ends. @return whether the parent is still alive
+bool tied_to_parent(int number, pid_t parent) {
+    end_with_parent(number);
     return ::getppid() == parent;
 }
 
@@ -180,9 +196,7 @@ void end_descendants() {
 /// @param failure   receives the error number if the program cannot be started
 [[noreturn]] void keep(const Process& process, char* const* arguments, char* const* environment, int lifeline,
                        int failure) {
-#ifdef PR_SET_CHILD_SUBREAPER
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-#endif
+    adopt_orphans();
     ::setpgid(0, 0);
     struct sigaction noted {};
     noted.sa_handler = [](int) {};  // the call that waits returns

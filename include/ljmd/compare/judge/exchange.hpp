@@ -42,7 +42,7 @@ struct ExchangeFiles {
 [[nodiscard]] std::string problem_json(const Problem& problem);
 
 /// Write problem.json, start.xyz (positions in the box, velocities, ids from 1) and start.data (LAMMPS data).
-/// @param force  replace files of these names
+/// @param force  whether existing files of these names are replaced
 /// @throws OutputRefused as require_writable(); FileError
 void write_problem(const Problem& problem, const std::filesystem::path& directory, bool force = false);
 
