@@ -141,9 +141,6 @@ Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<doub
             continue;
         }
         fewest = std::min(fewest, static_cast<double>(report.rows) / column.found.inefficiency);
-        if (column.average.estimate) {
-            fewest = std::fmin(fewest, column.average.estimate->independent_samples);
-        }
         if (column.found.changes) {
             changing.push_back(in_plain_words(column.average.name));
         } else if (!column.found.start) {
