@@ -161,9 +161,7 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
     if (!atoms || is_cut || !deck.given.external.empty() || (!isobaric && ensemble != Ensemble::canonical)) {
         return {};
     }
-    const auto held = isobaric
-                          ? std::optional(deck.stages[first_sampled(deck.stages)].barostat->options->held_pressure())
-                          : std::nullopt;
+    const auto held = isobaric ? held_pressure(deck.stages[first_sampled(deck.stages)]) : std::nullopt;
     ResponseFunctions responses(*atoms, ensemble, held, false);
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
@@ -14,6 +13,7 @@
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/options/registry.hpp"
 
 namespace ljmd {
 

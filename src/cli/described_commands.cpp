@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "ljmd/cli/streams.hpp"
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

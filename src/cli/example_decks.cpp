@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "ljmd/cli/example_deck_texts.hpp"
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

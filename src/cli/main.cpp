@@ -18,11 +18,11 @@
 #include "ljmd/cli/studies/sweep_options.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/input/reduced_number.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/study/replicas.hpp"
 
 namespace {

@@ -36,8 +36,8 @@ std::string unshareable(const Deck& deck) {
                            VerletList::name);
     }
     for (const Stage& stage : deck.stages) {
-        if (stage.integrator.plugin.name == "prince-dormand") {
-            return fmt::format("has the integrator {}, which one process computes", stage.integrator.plugin.name);
+        if (stage.integrator.name == "prince-dormand") {
+            return fmt::format("has the integrator {}, which one process computes", stage.integrator.name);
         }
     }
     return {};

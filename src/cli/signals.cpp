@@ -9,7 +9,7 @@
 #include <ctime>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/units.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -102,7 +102,7 @@ std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index a
 }
 
 EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const State& state) {
-    const std::string& name = stage.integrator.plugin.name;
+    const std::string& name = stage.integrator.name;
     const bool paired = name == "leapfrog" || name == "velocity-verlet";
     EnsembleOptions options{.integrator = paired ? name : "velocity-verlet",
                             .time_step = stage.time_step,

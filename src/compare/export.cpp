@@ -13,11 +13,11 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/input/toml_text.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/options/toml_writer.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 
@@ -71,14 +71,14 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
     if (exported.thermostat) {
         words.push_back(
             fmt::format("the thermostat '{}' of stage '{}' is left out: the exported motion is at constant energy",
-                        exported.thermostat->plugin.name, exported.name));
+                        exported.thermostat->name, exported.name));
     }
     if (exported.barostat) {
         words.push_back(
             fmt::format("the barostat '{}' of stage '{}' is left out: the exported motion is at constant volume",
-                        exported.barostat->plugin.name, exported.name));
+                        exported.barostat->name, exported.name));
     }
-    if (const std::string& name = exported.integrator.plugin.name; name != "velocity-verlet") {
+    if (const std::string& name = exported.integrator.name; name != "velocity-verlet") {
         words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
                                     exported.name, name));
     }

@@ -7,45 +7,40 @@
 #include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/mistake_report.hpp"
 #include "ljmd/engine/film_mistakes.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/analysis.hpp"
 
 namespace ljmd {
 
 namespace {
 
 /// Analyses that compare configurations at different times measure the motion, which should be Newton's.
-void check_motion(const std::vector<Placed<FluidStageTable>>& tables, const std::vector<Stage>& stages,
+void check_motion(const std::vector<Placed<Stage>>& tables, const std::vector<Stage>& stages,
                   Diagnostics& diagnostics) {
     for (std::size_t k = 0; k < stages.size(); ++k) {
         const Stage& stage = stages[k];
-        if (stage.sample && stage.thermostat && !stage.thermostat->plugin.conserves_momentum) {
+        if (stage.sample && stage.thermostat && !find_thermostat(stage.thermostat->name).conserves_momentum) {
             diagnostics.warning(
-                tables[k].thermostat->location(&ThermostatTable::method),
+                tables[k].location_of_type(&Stage::thermostat),
                 fmt::format("the thermostat {} changes how atoms move: diffusion, correlation functions and "
                             "viscosity are not those of Newton's equations",
-                            stage.thermostat->plugin.name));
+                            stage.thermostat->name));
         }
     }
 }
 
 }  // namespace
 
-std::vector<ChosenAnalysis> chosen_analyses(const FluidAnalysisTable& analysis) {
-    std::vector<ChosenAnalysis> chosen;
-    for (const auto& asked : analysis.asked) {
-        chosen.push_back(asked.chosen);
-    }
-    return chosen;
-}
-
 void check_analyses(const Placed<FluidTables>& tables, Index atoms, const Box& box, Diagnostics& diagnostics) {
-    const std::vector<ChosenAnalysis> analyses = chosen_analyses(tables.analysis);
+    const std::vector<Choice>& analyses = tables.analysis.asked;
     const std::vector<Stage> stages = stages_of(tables);
     const SampledRun run = sampled_run(stages, stages.front().seed, atoms, box);
     report(analysis_mistakes(analyses, run), tables, diagnostics);
     report(sampling_mistakes(analyses, stages), tables, diagnostics);
     report(analysis_need_mistakes(analyses, tables.potential.truncation, stages), tables, diagnostics);
     report(homogeneity_mistakes(analyses, tables.system.is_film()), tables, diagnostics);
-    if (std::ranges::any_of(analyses, [](const ChosenAnalysis& chosen) { return chosen.plugin.follows_time; })) {
+    if (std::ranges::any_of(analyses,
+                            [](const Choice& analysis) { return find_analysis(analysis.name).follows_time; })) {
         check_motion(tables.stages, stages, diagnostics);
     }
 }

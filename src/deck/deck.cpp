@@ -74,8 +74,7 @@ void refuse_until(const Table& table, Diagnostics& diagnostics) {
     const auto* array = stages != nullptr ? std::get_if<Array>(&stages->value.data) : nullptr;
     for (const Value& stage : array != nullptr ? *array : Array()) {
         const auto* keys = std::get_if<Table>(&stage.data);
-        const Entry* until =
-            keys != nullptr ? find(*keys, Placed<FluidStageTable>::key(&FluidStageTable::until)) : nullptr;
+        const Entry* until = keys != nullptr ? find(*keys, Placed<Stage>::key(&Stage::until)) : nullptr;
         if (until != nullptr) {
             diagnostics.error(until->key_location,
                               "'until' in [[stage]] is for fluids: a motion of few bodies has no averages with errors",

@@ -152,9 +152,9 @@ void check_search(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
 }
 
 void check_stages(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
-    for (const Placed<FluidStageTable>& stage : tables.stages) {
-        if (stage.given(&StageTable::time_step) && stage.time_step >= unlikely_time_step) {
-            unlikely(force, stage.location(&StageTable::time_step),
+    for (const Placed<Stage>& stage : tables.stages) {
+        if (stage.given(&Stage::time_step) && stage.time_step >= unlikely_time_step) {
+            unlikely(force, stage.location(&Stage::time_step),
                      fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
                                  stage.time_step, unlikely_time_step),
                      "0.004 is usual", diagnostics);

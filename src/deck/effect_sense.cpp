@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 
 namespace ljmd {
@@ -14,9 +15,9 @@ namespace ljmd {
 namespace {
 
 /// The steps of a stage: first < n <= last.
-template <class Stage>
+template <class AnyStage>
 struct StageSteps {
-    const Placed<Stage>& stage;
+    const Placed<AnyStage>& stage;
     Index first;
     Index last;
 
@@ -25,19 +26,12 @@ struct StageSteps {
     [[nodiscard]] bool has_multiple_of(Index every) const { return last / every > first / every; }
 };
 
-Index most_steps(const FluidStageTable& stage) {
-    return stage.most_steps();
-}
-Index most_steps(const FewBodyStageTable& stage) {
-    return stage.steps;
-}
-
-template <class Stage>
-std::vector<StageSteps<Stage>> steps_of_stages(const std::vector<Placed<Stage>>& stages) {
-    std::vector<StageSteps<Stage>> found;
+template <class AnyStage>
+std::vector<StageSteps<AnyStage>> steps_of_stages(const std::vector<Placed<AnyStage>>& stages) {
+    std::vector<StageSteps<AnyStage>> found;
     Index step = 0;
-    for (const Placed<Stage>& stage : stages) {
-        found.push_back({stage, step, step + most_steps(stage)});
+    for (const Placed<AnyStage>& stage : stages) {
+        found.push_back({stage, step, step + stage.steps});
         step = found.back().last;
     }
     return found;
@@ -47,28 +41,27 @@ std::string steps_in_words(Index steps) {
     return fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
 }
 
-using FluidStageSteps = StageSteps<FluidStageTable>;
+using FluidStageSteps = StageSteps<Stage>;
 
 /// Warn if a thermostat or barostat never acts because its interval is longer than the stage.
-template <class Bath>
-void check_acts(const FluidStageSteps& steps, const std::optional<Placed<Bath>>& bath, const std::string& name,
-                Diagnostics& diagnostics) {
-    const auto interval = bath ? bath->section().step_interval() : std::nullopt;
+void check_acts(const FluidStageSteps& steps, std::optional<Choice> Stage::*bath, Diagnostics& diagnostics) {
+    const auto interval = steps.stage.*bath ? steps.stage.inner(bath).step_interval() : std::nullopt;
     if (interval && steps.count() > 0 && interval->every > steps.count()) {
-        diagnostics.warning(interval->location,
-                            fmt::format("the {} of stage '{}' never acts: it does so every {}, and the stage has {}",
-                                        name, steps.stage.name, steps_in_words(interval->every), steps.count()));
+        diagnostics.warning(
+            interval->location,
+            fmt::format("the {} of stage '{}' never acts: it does so every {}, and the stage has {}",
+                        Placed<Stage>::key(bath), steps.stage.name, steps_in_words(interval->every), steps.count()));
     }
 }
 
 void check_stage(const FluidStageSteps& steps, Diagnostics& diagnostics) {
-    const Placed<FluidStageTable>& stage = steps.stage;
+    const Placed<Stage>& stage = steps.stage;
     if (stage.temperature && !stage.thermostat && !stage.total_energy) {
-        diagnostics.warning(stage.location(&FluidStageTable::temperature),
+        diagnostics.warning(stage.location(&Stage::temperature),
                             "'temperature' in [[stage]] has no effect without a thermostat");
     }
-    check_acts(steps, stage.thermostat, Placed<FluidStageTable>::key(&FluidStageTable::thermostat), diagnostics);
-    check_acts(steps, stage.barostat, Placed<FluidStageTable>::key(&FluidStageTable::barostat), diagnostics);
+    check_acts(steps, &Stage::thermostat, diagnostics);
+    check_acts(steps, &Stage::barostat, diagnostics);
 }
 
 /// Warn that no stage is sampled, at the last one, which is usually the one that was meant.
@@ -87,7 +80,7 @@ void check_sampling(const std::vector<FluidStageSteps>& stages, Index thermo_eve
         sampled = true;
         if (!steps.has_multiple_of(thermo_every)) {
             diagnostics.warning(
-                steps.stage.location(&StageTable::sample),
+                steps.stage.location(&Stage::sample),
                 fmt::format("stage '{}' adds nothing to the averages: samples are the rows of thermo.csv, every {} of "
                             "the run, and none falls into its {}",
                             steps.stage.name, steps_in_words(thermo_every), steps_in_words(steps.count())),
@@ -95,8 +88,8 @@ void check_sampling(const std::vector<FluidStageSteps>& stages, Index thermo_eve
         }
     }
     const FluidStageSteps& last = stages.back();
-    if (last.stage.until && last.count() / thermo_every < first_look) {
-        diagnostics.warning(last.stage.location(&FluidStageTable::until),
+    if (!last.stage.until.empty() && last.count() / thermo_every < first_look) {
+        diagnostics.warning(last.stage.location(&Stage::until),
                             fmt::format("stage '{}' cannot end before its max_steps: errors are first looked at after "
                                         "{} samples, and it has {}",
                                         last.stage.name, first_look, last.count() / thermo_every));
@@ -153,9 +146,9 @@ void check_effects(const FluidTables& tables, Diagnostics& diagnostics) {
     }
     const auto& analyses = tables.analysis.asked;
     check_sampling(stages, tables.output.thermo.every, !analyses.empty(), diagnostics);
-    for (const auto& [chosen, section] : analyses) {
-        if (const auto interval = section.step_interval()) {
-            check_analysis_looks(*interval, chosen.plugin.name, stages, diagnostics);
+    for (const Choice& analysis : analyses) {
+        if (const auto interval = tables.analysis.section().section(analysis.name).step_interval()) {
+            check_analysis_looks(*interval, analysis.name, stages, diagnostics);
         }
     }
     check_trajectory(tables.output.trajectory, stages.back().last, diagnostics);
@@ -164,19 +157,19 @@ void check_effects(const FluidTables& tables, Diagnostics& diagnostics) {
 void check_few_body_effects(const FewBodyTables& tables, Diagnostics& diagnostics) {
     const auto stages = steps_of_stages(tables.stages);
     if (tables.analysis.asked.empty()) {
-        for (const Placed<FewBodyStageTable>& stage : tables.stages) {
-            if (stage.written(&StageTable::sample)) {
-                diagnostics.warning(stage.location(&StageTable::sample),
+        for (const Placed<FewBodyStage>& stage : tables.stages) {
+            if (stage.written(&Stage::sample)) {
+                diagnostics.warning(stage.location(&Stage::sample),
                                     "'sample' in [[stage]] has no effect without [analysis]");
             }
         }
-    } else if (std::ranges::none_of(tables.stages, &StageTable::sample)) {
+    } else if (std::ranges::none_of(tables.stages, &Stage::sample)) {
         warn_of_no_sampling(tables.stages.back().location(), "nothing of what [analysis] asks for will be found",
                             diagnostics);
     }
     const auto& force = tables.force;
     const auto bodies = static_cast<Index>(tables.bodies.size());
-    for (const auto& [key, message] : force.method.options->without_effect(bodies)) {
+    for (const auto& [key, message] : chosen_few_body_force(force.method).options->without_effect(bodies)) {
         diagnostics.warning(force.section().location(key), message);
     }
     const auto& trajectory = tables.output.trajectory;

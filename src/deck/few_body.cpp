@@ -30,15 +30,15 @@ State few_body_start(const std::vector<Placed<BodyTable>>& bodies, const FewBody
 
 FewBodySystem make_few_body_system(const Deck& deck, const Execution& execution) {
     const FewBodyTables& tables = deck.few_body();
-    const ChosenFewBodyForce& force = tables.force.method;
+    const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
     FewBodySystem system{few_body_start(tables.bodies, *force.options, execution),
                          static_cast<int>(tables.bodies.front().position.size()),
                          force,
                          force.options->make(),
                          {}};
     const FewBodyTarget target{system.state.count(), system.dimensions, system.force};
-    for (const auto& [chosen, section] : tables.analysis.asked) {
-        system.analyses.emplace_back(chosen.plugin.name, chosen.options->make(target));
+    for (const Choice& analysis : tables.analysis.asked) {
+        system.analyses.emplace_back(analysis.name, chosen_few_body_analysis(analysis).options->make(target));
     }
     return system;
 }

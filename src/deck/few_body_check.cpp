@@ -41,8 +41,8 @@ Document few_body_check_report(const Deck& deck) {
     text += fmt::format("  energy    {:.12g} at the start\n", energy);
     for (const Stage& stage : deck.stages) {
         text += fmt::format("  stage     '{}': {} steps of {:.6g} = {:.6g}, {}{}\n", stage.name, stage.steps,
-                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
-                            stage.integrator.plugin.name, stage.reverse ? ", backwards" : "");
+                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step, stage.integrator.name,
+                            stage.reverse ? ", backwards" : "");
     }
     text += fmt::format("  disk      about {:.3g} MB in {}\n", disk / 1e6, deck.directory.string());
     return {{{"deck", deck.path},

@@ -90,10 +90,10 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
         return;
     }
     const auto dimensions = check_dimensions(bodies, diagnostics);
-    const ChosenFewBodyForce& force = tables.force.method;
     if (!dimensions || !tables.sound(&FewBodyTables::force) || !tables.force.sound(&ForceTable::method)) {
         return;
     }
+    const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
     if (!check_force_dimensions(bodies.front(), force.plugin, *dimensions, diagnostics) || !is_sound(tables)) {
         return;
     }
@@ -102,8 +102,9 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
         diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location(&BodyTable::position),
                           problem->message);
     }
-    for (const auto& [chosen, section] : tables.analysis.asked) {
-        report_at_keys(chosen.options->check({start.count(), *dimensions, force}), section, diagnostics);
+    for (const Choice& analysis : tables.analysis.asked) {
+        report_at_keys(chosen_few_body_analysis(analysis).options->check({start.count(), *dimensions, force}),
+                       tables.analysis.section().section(analysis.name), diagnostics);
     }
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/analysis_sense.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -97,7 +96,7 @@ FluidSpec fluid_spec(const Deck& deck) {
                    .neighbors = deck.neighbors(),
                    .stages = deck.stages,
                    .sample_every = deck.thermo_every,
-                   .analyses = chosen_analyses(deck.fluid().analysis),
+                   .analyses = deck.fluid().analysis.asked,
                    .units = deck.units};
     if (system.density) {
         spec.density = *system.density;

@@ -76,10 +76,10 @@ double seconds_of_stages(const Deck& deck, const State& start, PairForceField& f
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
     for (const Stage& stage : deck.stages) {
-        const auto [trial, is_new] = seconds.try_emplace(stage.integrator.plugin.name);
+        const auto [trial, is_new] = seconds.try_emplace(stage.integrator.name);
         if (is_new) {
             State copy = start;
-            trial->second = seconds_per_step(stage.integrator.plugin.name, copy, force_field);
+            trial->second = seconds_per_step(stage.integrator.name, copy, force_field);
         }
         sum += static_cast<double>(stage.steps + std::exchange(evaluations_of_start, 0)) * trial->second;
     }
@@ -101,8 +101,9 @@ double samples_of(const Analysis& analysis, const std::vector<Stage>& stages) {
 }
 
 /// Measured seconds of all samples of an analysis. Empty if it does not take the stand-in.
-std::optional<double> seconds_of_analysis(const ChosenAnalysis& chosen, const Deck& deck, const SampledRun& run,
-                                          State state, PairForceField& force_field) {
+std::optional<double> seconds_of_analysis(const Choice& choice, const Deck& deck, const SampledRun& run, State state,
+                                          PairForceField& force_field) {
+    const ChosenAnalysis chosen = chosen_analysis(choice);
     const AnalysisSize size = chosen.options->size(run);
     if (!chosen.options->check(run).empty() || size.kept + size.fixed + size.passing > most_bytes) {
         return std::nullopt;
@@ -153,11 +154,11 @@ Forecast forecast(const Deck& deck, const Start& start, const Execution& executi
     double seconds = seconds_of_stages(deck, state, force_field);
     SampledRun run = sampled_run(deck, state.total(), state.box());
     run.interaction = spec.interaction();
-    for (const ChosenAnalysis& chosen : spec.analyses) {
-        const auto more = seconds_of_analysis(chosen, deck, run, state, force_field);
+    for (const Choice& analysis : spec.analyses) {
+        const auto more = seconds_of_analysis(analysis, deck, run, state, force_field);
         seconds += more.value_or(0.0);
         if (!more) {
-            cost.not_counted.push_back(chosen.plugin.name);
+            cost.not_counted.push_back(analysis.name);
         }
     }
     cost.seconds = seconds * static_cast<double>(start.atoms) / static_cast<double>(state.total());

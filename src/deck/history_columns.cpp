@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "ljmd/integrators/barostat.hpp"
+
 namespace ljmd {
 
 ThermoColumns thermo_columns(const Deck& deck, bool order_parameter, const ExternalForce* external) {
     const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
     return {{.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
-             .edges = any([](const Stage& stage) { return stage.barostat && stage.barostat->plugin.changes_shape; }),
+             .edges = any([](const Stage& stage) {
+                 return stage.barostat && find_barostat(stage.barostat->name).changes_shape;
+             }),
              .external_energy = external != nullptr && external->has_energy(),
              .conserved_energy =
                  any([external](const Stage& stage) { return stage.thermostat && conserves_energy(stage, external); }),

@@ -25,8 +25,8 @@ void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     if (!densities || density <= densities->freezing) {
         return;
     }
-    const bool of_crystal = std::ranges::any_of(
-        spec.analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.name == "crystal"; });
+    const bool of_crystal =
+        std::ranges::any_of(spec.analyses, [](const Choice& analysis) { return analysis.name == "crystal"; });
     if (of_crystal && density >= densities->melting) {
         return;  // the deck wants the crystal, which is stable
     }

@@ -54,8 +54,8 @@ double search(const Deck& deck, const Start& start) {
 AnalysisSize analyses(const Deck& deck, const Start& start) {
     const SampledRun run = sampled_run(deck, start.atoms, start.box);
     AnalysisSize sum{0.0};
-    for (const auto& asked : deck.fluid().analysis.asked) {
-        const AnalysisSize size = asked.chosen.options->size(run);
+    for (const Choice& analysis : deck.fluid().analysis.asked) {
+        const AnalysisSize size = chosen_analysis(analysis).options->size(run);
         sum.kept += size.kept;
         sum.fixed += size.fixed;
         sum.passing = std::max(sum.passing, size.passing);

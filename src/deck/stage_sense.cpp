@@ -8,6 +8,7 @@
 #include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/mistake_report.hpp"
 #include "ljmd/engine/until_mistakes.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 
 namespace ljmd {
 
@@ -21,41 +22,39 @@ bool system_may_lack_temperature(const Placed<FluidTables>& tables) {
            !system.draws_velocities();
 }
 
-void check_thermostat(const Placed<FluidStageTable>& table, const Stage& stage, const Placed<FluidTables>& tables,
+void check_thermostat(const Placed<Stage>& table, const Stage& stage, const Placed<FluidTables>& tables,
                       Diagnostics& diagnostics) {
-    if (!stage_temperature(table, tables) && table.sound(&FluidStageTable::temperature) &&
-        system_may_lack_temperature(tables)) {
-        diagnostics.error(table.thermostat->location(&ThermostatTable::method),
-                          "missing key 'temperature' in [[stage]]", "the thermostat needs it; or give it in [system]");
+    if (!stage_temperature(table, tables) && table.sound(&Stage::temperature) && system_may_lack_temperature(tables)) {
+        diagnostics.error(table.location_of_type(&Stage::thermostat), "missing key 'temperature' in [[stage]]",
+                          "the thermostat needs it; or give it in [system]");
     }
-    if (!stage.thermostat->plugin.canonical && stage.sample) {
-        diagnostics.warning(table.location(&StageTable::sample),
+    if (!find_thermostat(stage.thermostat->name).canonical && stage.sample) {
+        diagnostics.warning(table.location(&Stage::sample),
                             "this stage is sampled under a thermostat that samples no ensemble");
     }
 }
 
 /// A stage has `steps` or `until`, one of both, and `until` has an error.
-void check_length(const Placed<FluidStageTable>& table, Diagnostics& diagnostics) {
-    if (table.absent(&FluidStageTable::until)) {
-        if (table.absent(&StageTable::steps)) {
+void check_length(const Placed<Stage>& table, Diagnostics& diagnostics) {
+    if (table.absent(&Stage::until)) {
+        if (table.absent(&Stage::steps)) {
             diagnostics.error(table.location(), "missing key 'steps' in [[stage]]",
                               "or 'until', for a stage that ends when errors are reached");
         }
         return;
     }
-    if (table.has(&StageTable::steps)) {
-        diagnostics.error(table.location(&FluidStageTable::until),
+    if (table.has(&Stage::steps)) {
+        diagnostics.error(table.location(&Stage::until),
                           "'until' in [[stage]] stands in place of 'steps', and both are given",
                           "leave out 'steps'; the largest number of steps is 'max_steps' in until");
     }
-    if (table.sound(&FluidStageTable::until) && table.until->section().all_sound() &&
-        std::ranges::none_of(table.until->errors, [](const auto& error) { return error.has_value(); })) {
+    if (table.sound(&Stage::until) && table.inner(&Stage::until).all_sound() && table.until.empty()) {
         std::vector<std::string> names;
         names.reserve(until_observables().size());
         for (const UntilObservable& observable : until_observables()) {
             names.push_back(observable.name);
         }
-        diagnostics.error(table.location(&FluidStageTable::until), "'until' in [[stage]] has no error to reach",
+        diagnostics.error(table.location(&Stage::until), "'until' in [[stage]] has no error to reach",
                           fmt::format("it takes one or more of {}", fmt::join(names, ", ")));
     }
 }
@@ -67,13 +66,13 @@ void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnost
     report(stage_mistakes(stages), tables, diagnostics);
     report(fluid_stage_mistakes(stages), tables, diagnostics);
     report(until_mistakes(stages), tables, diagnostics);
-    for (const Placed<FluidStageTable>& table : tables.stages) {
+    for (const Placed<Stage>& table : tables.stages) {
         check_length(table, diagnostics);
     }
     for (std::size_t k = 0; k < stages.size(); ++k) {
-        const Placed<FluidStageTable>& table = tables.stages[k];
+        const Placed<Stage>& table = tables.stages[k];
         if (table.total_energy && table.temperature && !stages[k].thermostat) {
-            diagnostics.error(table.location(&FluidStageTable::total_energy),
+            diagnostics.error(table.location(&Stage::total_energy),
                               "'total_energy' and 'temperature' in one [[stage]]: at constant energy the temperature "
                               "is a result",
                               "leave 'temperature' out");

@@ -7,15 +7,17 @@
 
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/phase_sense.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/analysis.hpp"
 
 namespace ljmd {
 
 namespace {
 
 /// Stages with an active thermostat.
-std::vector<const Placed<FluidStageTable>*> held_stages(const FluidTables& tables) {
-    std::vector<const Placed<FluidStageTable>*> held;
-    for (const Placed<FluidStageTable>& stage : tables.stages) {
+std::vector<const Placed<Stage>*> held_stages(const FluidTables& tables) {
+    std::vector<const Placed<Stage>*> held;
+    for (const Placed<Stage>& stage : tables.stages) {
         if (stage.thermostat && stage.steps > 0) {
             held.push_back(&stage);
         }
@@ -60,10 +62,10 @@ void check_temperature(const FluidTables& tables, bool keeps_velocities, Diagnos
 void check_seed(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics) {
     const Placed<SystemTable>& system = tables.system;
     const auto is_random = [](const auto* stage) {
-        return stage->barostat || !stage->thermostat->method.plugin.deterministic;
+        return stage->barostat || !find_thermostat(stage->thermostat->name).deterministic;
     };
     const bool random_analysis = std::ranges::any_of(
-        tables.analysis.asked, [](const auto& analysis) { return analysis.chosen.plugin.is_random; });
+        tables.analysis.asked, [](const Choice& analysis) { return find_analysis(analysis.name).is_random; });
     if (system.written(&SystemTable::seed) && keeps_velocities &&
         std::ranges::none_of(held_stages(tables), is_random) && !random_analysis) {
         diagnostics.warning(system.location(&SystemTable::seed),

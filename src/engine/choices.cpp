@@ -1,33 +1,27 @@
 #include "ljmd/engine/choices.hpp"
 
-#include "ljmd/core/registry.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
-namespace {
-
-template <class Plugin>
-auto chosen(const Plugin& plugin, const Settings& settings) {
-    return choose(plugin, checked_settings(plugin.name, keys_of(plugin), settings));
+Choice integrator(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_integrator({name, settings}));
 }
 
-}  // namespace
-
-ChosenIntegrator integrator(const std::string& name, const Settings& settings) {
-    return chosen(find_integrator(name), settings);
+Choice thermostat(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_thermostat({name, settings}));
 }
 
-ChosenThermostat thermostat(const std::string& name, const Settings& settings) {
-    return chosen(find_thermostat(name), settings);
+Choice barostat(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_barostat({name, settings}));
 }
 
-ChosenBarostat barostat(const std::string& name, const Settings& settings) {
-    return chosen(find_barostat(name), settings);
-}
-
-ChosenAnalysis analysis(const std::string& name, const Settings& settings) {
-    return chosen(find_plugin(all_analyses(), name, "analysis"), settings);
+Choice analysis(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_analysis({name, settings}));
 }
 
 }  // namespace ljmd

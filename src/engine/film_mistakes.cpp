@@ -52,16 +52,16 @@ std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, 
     return found;
 }
 
-std::vector<Mistake> homogeneity_mistakes(const std::vector<ChosenAnalysis>& analyses, bool is_film) {
+std::vector<Mistake> homogeneity_mistakes(const std::vector<Choice>& analyses, bool is_film) {
     std::vector<Mistake> found;
-    for (const ChosenAnalysis& each : analyses) {
-        if (each.plugin.needs.homogeneous && is_film) {
+    for (const Choice& each : analyses) {
+        if (find_analysis(each.name).needs.homogeneous && is_film) {
             found.push_back({"system",
                              "",
                              0,
                              fmt::format("the analysis {} is for a homogeneous fluid, and a box that is higher than "
                                          "its crystal holds a film",
-                                         each.plugin.name),
+                                         each.name),
                              false,
                              {"lattice.height"},
                              "leave one of the two out"});

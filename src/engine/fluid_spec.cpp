@@ -12,6 +12,7 @@
 #include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/until_mistakes.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 
@@ -91,14 +92,31 @@ void judge_start(const FluidSpec& spec, Complaints& complaints) {
     complaints.add(spec.sample_every < 1, "sample_every", "it must be at least 1");
 }
 
-void judge_choices(const FluidSpec& spec, Complaints& complaints) {
+/// Complain of what `choose` throws. @return whether it throws nothing
+template <class Choose>
+bool is_known(const std::string& where, Complaints& complaints, const Choose& choose) {
+    try {
+        static_cast<void>(choose());
+        return true;
+    } catch (const InputError& error) {
+        complaints.add(true, where, error.what());
+        return false;
+    }
+}
+
+/// Whether all plug-ins and their options are known.
+bool judge_choices(const FluidSpec& spec, Complaints& complaints) {
     std::set<std::string> names;
-    for (const ChosenAnalysis& analysis : spec.analyses) {
-        complaints.add(!analysis.options, "analyses", "each is chosen by analysis()");
-        complaints.add(!names.insert(analysis.plugin.name).second, "analysis " + analysis.plugin.name,
-                       "it is there twice");
+    bool known = true;
+    for (const Choice& analysis : spec.analyses) {
+        complaints.add(!names.insert(analysis.name).second, "analysis " + analysis.name, "it is there twice");
+        known = is_known("analyses", complaints, [&] { return chosen_analysis(analysis); }) && known;
+    }
+    for (const Stage& stage : spec.stages) {
+        known = is_known(fmt::format("stage '{}'", stage.name), complaints, [&] { return completed(stage); }) && known;
     }
     complaints.add(spec.stages.empty(), "stages", "at least one is needed; one of 0 steps evaluates the start");
+    return known;
 }
 
 }  // namespace
@@ -156,6 +174,16 @@ Box box_of(const FluidSpec& spec) {
     return box_for_cutoff(exact_box_of(spec), spec.potential.cutoff().radius);
 }
 
+std::vector<Stage> resolved_stages(const FluidSpec& spec) {
+    std::vector<Stage> stages;
+    for (const Stage& one : spec.stages) {
+        Stage& stage = stages.emplace_back(completed(one));
+        stage.seed = stage.seed == 0 ? spec.seed : stage.seed;
+        stage.temperature = stage.temperature ? stage.temperature : spec.temperature;
+    }
+    return stages;
+}
+
 bool keeps_velocities(const FluidSpec& spec) {
     const auto* configuration = std::get_if<Configuration>(&spec.start);
     return configuration != nullptr && spec.keep_velocities && !configuration->velocities.empty();
@@ -164,12 +192,10 @@ bool keeps_velocities(const FluidSpec& spec) {
 SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box) {
     const Stage& stage = stages[first_sampled(stages)];
     SampledRun run{atoms,       box,  stage.time_step,
-                   stage.steps, seed, stage.thermostat ? std::optional(stage.temperature) : std::nullopt,
+                   stage.steps, seed, stage.thermostat ? stage.temperature : std::nullopt,
                    std::nullopt};
     run.ensemble = sampled_ensemble(stages);
-    if (stage.barostat) {
-        run.held_pressure = stage.barostat->options->held_pressure();
-    }
+    run.held_pressure = held_pressure(stage);
     for (const Stage& other : stages) {
         if (other.sample) {
             run.steps = std::max(run.steps, other.steps);
@@ -195,7 +221,8 @@ double exchange_steps(const std::vector<Stage>& stages) {
     double longest = 0.0;
     for (const Stage& stage : stages) {
         if (stage.sample && stage.thermostat) {
-            longest = std::max(longest, stage.thermostat->options->kinetic_energy_relaxation() / stage.time_step);
+            const double time = chosen_thermostat(*stage.thermostat).options->kinetic_energy_relaxation();
+            longest = std::max(longest, time / stage.time_step);
         }
     }
     return longest;
@@ -208,11 +235,13 @@ bool conserves_energy(const Stage& stage, const ExternalForce* external) {
 std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     Complaints complaints;
     judge_start(spec, complaints);
-    judge_choices(spec, complaints);
+    if (!judge_choices(spec, complaints)) {
+        return complaints.take();
+    }
     complaints.add(potential_mistakes(spec.potential.truncation(), spec.potential.cutoff(), spec.tail));
     complaints.add(search_mistakes(spec.neighbors, precision));
     complaints.add(stage_mistakes(spec.stages));
-    complaints.add(fluid_stage_mistakes(spec.stages));
+    complaints.add(fluid_stage_mistakes(resolved_stages(spec)));
     complaints.add(until_mistakes(spec.stages));
     complaints.add(external_force_mistakes(spec));
     complaints.add(analysis_need_mistakes(spec.analyses, spec.potential.truncation(), spec.stages));

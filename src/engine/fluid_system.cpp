@@ -58,8 +58,8 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, cons
     SampledRun run = sampled_run(spec.stages, spec.seed, state.total(), state.box());
     run.interaction = spec.interaction();
     run.is_film = is_film(spec);
-    for (const ChosenAnalysis& analysis : spec.analyses) {
-        analyses.push_back(analysis.options->make(run));
+    for (const Choice& analysis : spec.analyses) {
+        analyses.push_back(chosen_analysis(analysis).options->make(run));
     }
     return analyses;
 }

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "ljmd/core/text.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 
 namespace ljmd {
@@ -56,19 +58,19 @@ std::vector<Mistake> judged(const std::vector<Stage>& stages, const Judge& judge
 }
 
 void judge_thermostat(const Stage& stage, Mistakes& found) {
-    const ThermostatMethod& thermostat = stage.thermostat->plugin;
-    const std::string& integrator = stage.integrator.plugin.name;
+    const ThermostatMethod thermostat = find_thermostat(stage.thermostat->name);
+    const std::string& integrator = stage.integrator.name;
     if (thermostat.every_step && integrator != "velocity-verlet") {
         found.add({"thermostat.type", "integrator"},
                   fmt::format("the thermostat {} is a part of the steps of velocity-verlet; the integrator is {}",
                               thermostat.name, integrator));
     }
-    const bool finite = std::isfinite(stage.temperature);
-    if (thermostat.canonical && !(stage.temperature > 0.0 && finite)) {
+    const bool finite = stage.temperature && std::isfinite(*stage.temperature);
+    if (thermostat.canonical && !(finite && *stage.temperature > 0.0)) {
         found.add({"thermostat.type", "temperature"},
                   fmt::format("the thermostat {} needs a temperature above 0", thermostat.name),
                   "rescale can take it to 0");
-    } else if (!(stage.temperature >= 0.0 && finite)) {
+    } else if (!(finite && *stage.temperature >= 0.0)) {
         found.add({"thermostat.type", "temperature"},
                   fmt::format("the thermostat {} needs a temperature of 0 or more", thermostat.name));
     }
@@ -128,17 +130,10 @@ std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
                       "set sample = false in it, or in the stages before the reversal");
         }
         sampled = sampled || samples;
-        if (!stage.integrator.options || (stage.thermostat && !stage.thermostat->options) ||
-            (stage.barostat && !stage.barostat->options)) {
-            found.add({},
-                      "integrator, thermostat and barostat are chosen by integrator(), thermostat() and barostat()");
-            return;
+        if (find_integrator(stage.integrator.name).unbounded_only) {
+            found.add({"integrator"}, fmt::format("the integrator {} is for few bodies only", stage.integrator.name));
         }
-        if (stage.integrator.plugin.unbounded_only) {
-            found.add({"integrator"},
-                      fmt::format("the integrator {} is for few bodies only", stage.integrator.plugin.name));
-        }
-        if (stage.barostat && !(stage.thermostat && stage.thermostat->plugin.canonical)) {
+        if (stage.barostat && !(stage.thermostat && find_thermostat(stage.thermostat->name).canonical)) {
             found.add({"barostat", "thermostat.type"}, "a barostat needs a canonical thermostat beside it",
                       "e.g. stochastic-rescaling");
         }
@@ -179,9 +174,9 @@ std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
                 "see ExternalForce::has_virial(); a field that scales with the box has virial 0");
         }
     });
-    for (const ChosenAnalysis& analysis : spec.analyses) {
-        if (analysis.plugin.needs.interaction) {
-            Mistakes found("analysis", analysis.plugin.name);
+    for (const Choice& analysis : spec.analyses) {
+        if (find_analysis(analysis.name).needs.interaction) {
+            Mistakes found("analysis", analysis.name);
             found.add({}, fmt::format("it is for a homogeneous fluid, in which the pair forces act alone; here the "
                                       "external force '{}' acts, too",
                                       name));
@@ -289,14 +284,15 @@ std::vector<Mistake> cutoff_mistakes(double cutoff, const Box& box) {
     return found.take();
 }
 
-std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analyses, const std::vector<Stage>& stages) {
+std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses, const std::vector<Stage>& stages) {
     if (analyses.empty()) {
         return {};
     }
     const bool follows_time =
-        std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
-    const bool needs_box = std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) {
-        return analysis.plugin.needs.fixed_box || analysis.plugin.needs.shortest_box;
+        std::ranges::any_of(analyses, [](const Choice& analysis) { return find_analysis(analysis.name).follows_time; });
+    const bool needs_box = std::ranges::any_of(analyses, [](const Choice& analysis) {
+        const AnalysisNeeds needs = find_analysis(analysis.name).needs;
+        return needs.fixed_box || needs.shortest_box;
     });
     const std::size_t first = first_sampled(stages);
     const double time_step = stages[first].time_step;
@@ -326,15 +322,15 @@ std::string step_in_words(const std::string& truncation) {
         truncation);
 }
 
-std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& analyses, const std::string& truncation,
+std::vector<Mistake> analysis_need_mistakes(const std::vector<Choice>& analyses, const std::string& truncation,
                                             const std::vector<Stage>& stages) {
     std::vector<Mistake> all;
-    for (const ChosenAnalysis& analysis : analyses) {
-        const AnalysisNeeds& needs = analysis.plugin.needs;
+    for (const Choice& analysis : analyses) {
+        const AnalysisNeeds needs = find_analysis(analysis.name).needs;
         if (needs.continuous_potential && has_step(truncation)) {
             Mistakes found("potential");
-            found.add({"truncation"}, fmt::format("the analysis {} needs a continuous potential: {}",
-                                                  analysis.plugin.name, step_in_words(truncation)));
+            found.add({"truncation"}, fmt::format("the analysis {} needs a continuous potential: {}", analysis.name,
+                                                  step_in_words(truncation)));
             found.move_to(all);
         }
         if (needs.constant_energy) {
@@ -345,7 +341,7 @@ std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& a
                                                        fmt::format("the analysis {} needs sampled stages at constant "
                                                                    "energy: with a thermostat the pressure follows the "
                                                                    "energy that it gives and takes",
-                                                                   analysis.plugin.name),
+                                                                   analysis.name),
                                                        "let a stage with the thermostat come first, and sample one "
                                                        "without");
                                          }
@@ -356,11 +352,11 @@ std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& a
     return all;
 }
 
-std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analyses, const SampledRun& run) {
+std::vector<Mistake> analysis_mistakes(const std::vector<Choice>& analyses, const SampledRun& run) {
     std::vector<Mistake> all;
-    for (const ChosenAnalysis& analysis : analyses) {
-        Mistakes found("analysis", analysis.plugin.name);
-        for (const auto& [key, message] : analysis.options->check(run)) {
+    for (const Choice& analysis : analyses) {
+        Mistakes found("analysis", analysis.name);
+        for (const auto& [key, message] : chosen_analysis(analysis).options->check(run)) {
             found.add({key}, message);
         }
         found.move_to(all);
@@ -370,7 +366,7 @@ std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analys
 
 std::vector<Mistake> box_mistakes(const FluidSpec& spec, Index atoms, const Box& box) {
     std::vector<Mistake> found = cutoff_mistakes(spec.potential.cutoff().radius, box);
-    std::ranges::move(analysis_mistakes(spec.analyses, sampled_run(spec.stages, spec.seed, atoms, box)),
+    std::ranges::move(analysis_mistakes(spec.analyses, sampled_run(resolved_stages(spec), spec.seed, atoms, box)),
                       std::back_inserter(found));
     return found;
 }

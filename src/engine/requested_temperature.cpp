@@ -52,7 +52,7 @@ std::optional<double> requested_temperature(const FluidSpec& spec) {
             continue;
         }
         if (stage.thermostat) {
-            latest = stage.temperature;
+            latest = stage.temperature ? stage.temperature : spec.temperature;
         } else if (stage.total_energy) {
             latest.reset();  // an energy is asked for, and no temperature
         }

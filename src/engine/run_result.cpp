@@ -23,24 +23,16 @@ const Item& named(const std::vector<Item>& items, const std::string& name, const
 }  // namespace
 
 StageResult begun_stage(const Stage& stage, const State& state, bool thermostatted) {
-    return {stage.name,
-            stage.integrator.plugin.name,
-            state.step,
-            state.step,
-            stage.time_step,
-            stage.sample,
-            thermostatted,
-            stage.reverse,
-            std::nullopt,
-            checksum(state),
-            {}};
+    return {
+        stage.name,    stage.integrator.name, state.step,      state.step, stage.time_step, stage.sample, thermostatted,
+        stage.reverse, std::nullopt,          checksum(state), {}};
 }
 
 void require_stages(const std::vector<StageResult>& results, const std::vector<Stage>& stages,
                     const LoopPosition& position) {
     bool same = results.size() == position.stage + (position.begun ? 1 : 0);
     for (std::size_t k = 0; same && k < results.size(); ++k) {
-        same = results[k].name == stages[k].name && results[k].integrator == stages[k].integrator.plugin.name;
+        same = results[k].name == stages[k].name && results[k].integrator == stages[k].integrator.name;
     }
     if (!same) {
         throw CheckpointError("the checkpoint has results of other stages than the run");

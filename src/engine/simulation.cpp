@@ -10,6 +10,10 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/fluid_measurement.hpp"
 #include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/choice.hpp"
+#include "ljmd/options/placed.hpp"
+#include "ljmd/options/toml_writer.hpp"
 #include "ljmd/potentials/potential_identity.hpp"
 
 namespace ljmd {
@@ -24,67 +28,43 @@ class Rows : public RunOutputs {
     std::vector<ThermoRow> all;
 };
 
-const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
+FluidSpec checked(FluidSpec spec, const Execution& execution) {
     require_no_mistakes(spec, execution.precision());
     return spec;
 }
 
-/// The specification with the seed in all stages that have none.
-FluidSpec seeded(FluidSpec spec) {
-    for (Stage& stage : spec.stages) {
-        stage.seed = stage.seed == 0 ? spec.seed : stage.seed;
+/// The specification with all that stages and analyses leave to it or to defaults.
+FluidSpec resolved(FluidSpec spec) {
+    spec.stages = resolved_stages(spec);
+    for (Choice& analysis : spec.analyses) {
+        analysis = choice_of(chosen_analysis(analysis));
     }
     return spec;
 }
 
-std::string identity_of(const NeighborSpec& neighbors) {
-    const auto& [method, skin, every, tile] = neighbors;
-    return fmt::format("{} {} {} {}", method, skin, every.value_or(0), tile.value_or(0));
-}
-
-template <class Plugin, class Options>
-std::string identity_of(const Chosen<Plugin, Options>& chosen) {
-    return fmt::format("{} {}", chosen.plugin.name, settings_in_words(chosen.values));
-}
-
-std::string identity_of(const Stage& stage) {
-    // All members are named, so that a new one does not compile until it is decided on.
-    const auto& [name, integrator, time_step, steps, temperature, sample, reverse, thermostat, barostat, seed,
-                 total_energy, until] = stage;
-    std::string text = fmt::format("{} {} {} {} {} {} {} {}", name, identity_of(integrator), time_step, steps,
-                                   temperature, sample, reverse, seed);
-    if (thermostat) {
-        text += " " + identity_of(*thermostat);
-    }
-    for (const WantedError& wanted : until) {
-        text += fmt::format(" until {} {}", wanted.observable, wanted.error);
-    }
-    if (barostat) {
-        text += " " + identity_of(*barostat);
-    }
-    if (total_energy) {  // after all that stages without one have, whose checkpoints are older
-        text += fmt::format(" total energy {}", *total_energy);
-    }
-    return text;
+/// What options describe of themselves, as text.
+template <class Options>
+std::string in_words(const Options& options) {
+    return toml_value({table_of(options), {}});
 }
 
 /// Everything of a specification that the trajectory and the results depend on but for the atoms, as text. Two
 /// specifications with the same text continue each other's runs.
 std::string identity(const FluidSpec& spec, const Execution& execution) {
-    // All members are named, see identity_of(const Stage&). A checkpoint has the atoms, their box and their velocities
-    // in place of the start; units are for messages alone.
+    // All members are named, so that a new one does not compile until it is decided on. A checkpoint has the atoms,
+    // their box and their velocities in place of the start; units are for messages alone.
     const auto& [start, density, start_temperature, keep_velocities, seed, potential, tail, neighbors, external, stages,
                  sample_every, analyses, units] = spec;
-    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), tail, identity_of(neighbors),
+    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), tail, in_words(neighbors),
                                    sample_every, seed, name(execution.precision()));
     for (const Stage& stage : stages) {
-        text += "; stage " + identity_of(stage);
+        text += fmt::format("; stage {} seed = {}", in_words(stage), stage.seed);
     }
     if (external) {
         text += fmt::format("; external force {}", external->name());
     }
-    for (const ChosenAnalysis& analysis : analyses) {
-        text += "; " + identity_of(analysis);
+    for (const Choice& analysis : analyses) {
+        text += fmt::format("; {} {}", analysis.name, settings_in_words(analysis.settings));
     }
     return text;
 }
@@ -97,9 +77,8 @@ constexpr std::size_t hash_bytes = sizeof(XXH64_hash_t);
 /// Parts point to each other, so they stay where they are.
 struct Simulation::Parts {
     Parts(FluidSpec wanted, const Execution& execution)
-        : spec(seeded(std::move(wanted))),
-          fluid(make_fluid(checked(spec, execution), execution,
-                           [this](const std::string& text) { warnings.push_back(text); })),
+        : spec(resolved(checked(std::move(wanted), execution))),
+          fluid(make_fluid(spec, execution, [this](const std::string& text) { warnings.push_back(text); })),
           interaction(spec.interaction()),
           measurement(std::in_place, spec, fluid, rows) {}
 

@@ -23,14 +23,15 @@ struct StageParts {
     std::unique_ptr<Thermostat> thermostat;
     std::unique_ptr<Barostat> barostat;
     Integrator integrator;
+    bool rest_needed;  ///< around every act of the thermostat, see CentreAtRest
 };
 
 std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state) {
     if (!stage.thermostat) {
         return nullptr;
     }
-    return stage.thermostat->options->make(
-        {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.total())});
+    return chosen_thermostat(*stage.thermostat)
+        .options->make({stage.temperature.value(), stage.time_step, stage.seed, degrees_of_freedom(state.total())});
 }
 
 std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<Interaction>& interaction) {
@@ -41,11 +42,12 @@ std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<In
         throw ContractViolation("a barostat needs to know the interaction");
     }
     const double shortest_edge = 2.0 * interaction->potential.cutoff().radius;
-    return stage.barostat->options->make({stage.temperature, stage.time_step, stage.seed, shortest_edge});
+    return chosen_barostat(*stage.barostat)
+        .options->make({stage.temperature.value(), stage.time_step, stage.seed, shortest_edge});
 }
 
 Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
-    Integrator integrator(stage.integrator, stage.time_step);
+    Integrator integrator(chosen_integrator(stage.integrator), stage.time_step);
     if (thermostat == nullptr || !thermostat->acts_mid_drift()) {
         return integrator;
     }
@@ -53,7 +55,7 @@ Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
 }
 
 bool thermostat_conserves_momentum(const Stage& stage) {
-    return !stage.thermostat || stage.thermostat->plugin.conserves_momentum;
+    return !stage.thermostat || find_thermostat(stage.thermostat->name).conserves_momentum;
 }
 
 /// Brings the centre of mass to rest for as long as this lives, for thermostats that would conserve its momentum but
@@ -124,7 +126,10 @@ class TimeLoop {
     void run_stage(const Stage& stage) {
         std::unique_ptr<Thermostat> thermostat = thermostat_of(stage, state_);
         Integrator integrator = integrator_of(stage, thermostat.get());
-        const StageParts parts{std::move(thermostat), barostat_of(stage, interaction_), std::move(integrator)};
+        const bool rest_needed = has_external_force() && stage.thermostat && thermostat_conserves_momentum(stage) &&
+                                 find_thermostat(stage.thermostat->name).every_step;
+        const StageParts parts{std::move(thermostat), barostat_of(stage, interaction_), std::move(integrator),
+                               rest_needed};
         const std::vector<double> bath = parts.thermostat ? parts.thermostat->beginning() : std::vector<double>();
         if (!position_.begun) {
             state_.bath = bath;
@@ -182,7 +187,7 @@ class TimeLoop {
         const Index n = ++position_.steps;
         const bool pressure_wanted = parts.barostat && parts.barostat->due(n);
         if (parts.thermostat) {
-            thermalise(stage, [&] { parts.thermostat->before_step(state_); });
+            thermalise(parts, [&] { parts.thermostat->before_step(state_); });
         }
         const double end = position_.first_time + static_cast<double>(n) * stage.time_step;
         const Evaluation evaluation = parts.integrator.step_with_pending_kick(
@@ -198,7 +203,7 @@ class TimeLoop {
         observer_.moved(n);
         watch.lap();
         if (parts.thermostat) {
-            thermalise(stage, [&] { parts.thermostat->after_step(state_, n); });
+            thermalise(parts, [&] { parts.thermostat->after_step(state_, n); });
             position_.seconds.steps += watch.lap();
         }
         observer_.step_done(stage, evaluation);
@@ -213,9 +218,9 @@ class TimeLoop {
     /// Let the thermostat of a stage act. One that is not due at every step must not end the integrator's phase in
     /// between; it scales the motion of the centre of mass, too, and holds the temperature about it all the same.
     template <class Act>
-    void thermalise(const Stage& stage, const Act& act) {
+    void thermalise(const StageParts& parts, const Act& act) {
         std::optional<CentreAtRest> at_rest;
-        if (has_external_force() && stage.thermostat->plugin.every_step && thermostat_conserves_momentum(stage)) {
+        if (parts.rest_needed) {
             at_rest.emplace(state_);
         }
         act();

@@ -1,7 +1,7 @@
 #include "ljmd/forces/few_body_force.hpp"
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -11,6 +11,10 @@ AngularVelocity FewBodyForceOptions::angular_velocity(double /*distance*/, doubl
 
 FewBodyForceMethod find_few_body_force(const std::string& name) {
     return find_plugin(all_few_body_forces(), name, "few-body force");
+}
+
+ChosenFewBodyForce chosen_few_body_force(const Choice& choice) {
+    return chosen(all_few_body_forces(), choice, "few-body force");
 }
 
 }  // namespace ljmd

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -209,17 +209,6 @@ class Converter {
 
 }  // namespace
 
-std::string toml_string(std::string_view text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-        quoted += control                 ? fmt::format("\\u{:04x}", static_cast<unsigned>(c))
-                  : c == '"' || c == '\\' ? fmt::format("\\{}", c)
-                                          : std::string(1, c);
-    }
-    return quoted + "\"";
-}
-
 std::optional<Table> parse_toml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
     const std::string& text = source->text;
     if (const std::size_t bad = std::min(find_invalid_utf8(text), text.find('\0')); bad != std::string::npos) {

@@ -1,11 +1,15 @@
 #include "ljmd/integrators/barostat.hpp"
 
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
 BarostatMethod find_barostat(const std::string& name) {
     return find_plugin(all_barostats(), name, "barostat");
+}
+
+ChosenBarostat chosen_barostat(const Choice& choice) {
+    return chosen(all_barostats(), choice, "barostat");
 }
 
 }  // namespace ljmd

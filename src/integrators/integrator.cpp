@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -27,6 +27,10 @@ std::function<std::unique_ptr<IntegratorOptions>()> without_options(const std::f
 
 IntegratorMethod find_integrator(const std::string& name) {
     return find_plugin(all_integrators(), name, "integrator");
+}
+
+ChosenIntegrator chosen_integrator(const Choice& choice) {
+    return chosen(all_integrators(), choice, "integrator");
 }
 
 Integrator::Integrator(const IntegratorMethod& method, double time_step) : Integrator(choose(method), time_step) {}

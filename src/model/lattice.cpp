@@ -7,7 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 namespace ljmd {
 

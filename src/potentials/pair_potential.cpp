@@ -9,7 +9,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/quadrature.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 
 namespace ljmd {
 

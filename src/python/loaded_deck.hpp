@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/deck.hpp"
+#include "ljmd/options/diagnostics.hpp"
 #include "values.hpp"
 
 namespace ljmd::python {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 namespace ljmd {
 

@@ -20,13 +20,13 @@ std::string stages_in_words(const Deck& deck) {
     for (const Stage& stage : deck.stages) {
         words += fmt::format(" Stage '{}': {}{} steps of {} with {}", stage.name,
                              stage.until.empty() ? "" : "until errors were reached, at most ", stage.steps,
-                             number(stage.time_step), stage.integrator.plugin.name);
+                             number(stage.time_step), stage.integrator.name);
         if (stage.thermostat) {
-            words += fmt::format(", thermostat {} at temperature {}", stage.thermostat->plugin.name,
-                                 number(stage.temperature));
+            words +=
+                fmt::format(", thermostat {} at temperature {}", stage.thermostat->name, number(*stage.temperature));
         }
         if (stage.barostat) {
-            words += fmt::format(", barostat {}", stage.barostat->plugin.name);
+            words += fmt::format(", barostat {}", stage.barostat->name);
         }
         words += stage.sample ? ", sampled." : ".";
     }
@@ -54,7 +54,7 @@ std::string bodies_in_words(const Deck& deck) {
     const FewBodyTables& tables = deck.few_body();
     return fmt::format("The motion of {} {} under the force {} was integrated, in the units of the deck.{}",
                        tables.bodies.size(), tables.bodies.size() == 1 ? "body" : "bodies",
-                       deck.few_body().force.method.plugin.name, stages_in_words(deck));
+                       deck.few_body().force.method.name, stages_in_words(deck));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/input/deck_setting.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
@@ -247,7 +248,7 @@ SweepPlan replica_plan(const Deck& deck, const std::vector<std::string>& setting
 
 std::string why_all_the_same(const Deck& deck, const Start& start) {
     const auto draws = [](const Stage& stage) {
-        return stage.barostat || (stage.thermostat && !stage.thermostat->plugin.deterministic);
+        return stage.barostat || (stage.thermostat && !find_thermostat(stage.thermostat->name).deterministic);
     };
     if (!keeps_velocities(deck.system(), start) || std::ranges::any_of(deck.stages, draws)) {
         return "";

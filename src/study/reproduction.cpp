@@ -10,9 +10,11 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/at_temperature.hpp"
+#include "ljmd/engine/choices.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
 #include "ljmd/run/recorded_results.hpp"
+#include "ljmd/run/spec_deck.hpp"
 
 namespace ljmd {
 
@@ -89,49 +91,28 @@ std::string row_name(const VerletRow& row) {
 }
 
 std::string row_deck(const VerletRow& row, const ReproductionLength& length) {
-    return fmt::format(R"(title = "Verlet 1967: density {density}, temperature {temperature}"
-
-[system]
-lattice = {{ type = "fcc", cells = 6 }}
-density = {density}
-temperature = {temperature}
-seed = 1967
-
-[potential]
-type = "lennard-jones"
-cutoff = {cutoff}
-truncation = "cut"
-tail = true
-
-[[stage]]
-name = "melt"
-time_step = {step}
-steps = {melt}
-temperature = {melting_temperature}
-thermostat = {{ type = "rescale", every = 10 }}
-
-[[stage]]
-name = "equilibrate"
-time_step = {step}
-steps = {equilibrate}
-thermostat = {{ type = "rescale", every = 20 }}
-
-[[stage]]
-name = "production"
-time_step = {step}
-steps = {production}
-sample = true
-
-[output]
-thermo = {{ every = 5 }}
-
-[analysis]
-rdf = {{ bins = 250, every = 25 }}
-)",
-                       fmt::arg("density", row.density), fmt::arg("temperature", row.temperature),
-                       fmt::arg("cutoff", verlet_cutoff), fmt::arg("step", verlet_step), fmt::arg("melt", length.melt),
-                       fmt::arg("melting_temperature", std::max(melting_temperature, row.temperature)),
-                       fmt::arg("equilibrate", length.equilibrate), fmt::arg("production", length.production));
+    constexpr std::uint64_t year = 1967;
+    const auto stage = [](const char* name, Index steps) {
+        return Stage{.name = name, .time_step = verlet_step, .steps = steps};
+    };
+    Stage melt = stage("melt", length.melt);
+    melt.temperature = std::max(melting_temperature, row.temperature);
+    melt.thermostat = thermostat("rescale", {{"every", 10}});
+    Stage equilibrate = stage("equilibrate", length.equilibrate);
+    equilibrate.thermostat = thermostat("rescale", {{"every", 20}});
+    Stage production = stage("production", length.production);
+    production.sample = true;
+    const FluidSpec spec{.start = LatticeStart{.cells = 6},
+                         .density = row.density,
+                         .temperature = row.temperature,
+                         .seed = year,
+                         .potential = PairPotential::lennard_jones("cut", {verlet_cutoff}),
+                         .tail = true,
+                         .stages = {melt, equilibrate, production},
+                         .sample_every = 5,
+                         .analyses = {analysis("rdf", {{"bins", 250}, {"every", 25}})}};
+    return deck_text(spec,
+                     {.title = fmt::format("Verlet 1967: density {}, temperature {}", row.density, row.temperature)});
 }
 
 ZAndU ReproducedRow::z_scores() const {

@@ -2,7 +2,6 @@
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -11,6 +10,7 @@
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 #include "ljmd/reference/equation_of_state.hpp"
 

@@ -21,7 +21,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-const Stage production{"production", choose(find_integrator("velocity-verlet")), 0.004, 100, 1.0, true, false, {}};
+const Stage production{"production", {"velocity-verlet"}, 0.004, 100, 1.0, true, false, {}};
 
 /// What a run of 100 steps says on stderr when the clock is looked at twice.
 std::string said(bool quiet) {

@@ -3,11 +3,11 @@
 #include <map>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 using namespace ljmd;

@@ -3,6 +3,7 @@
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/input/deck_file.hpp"
+#include "ljmd/integrators/integrator.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -27,11 +28,11 @@ TEST_CASE("stages are those of the deck, with the temperature of the system wher
     REQUIRE(stages.size() == 2);
     CHECK(stages[0].name == "equilibrate");
     CHECK(stages[0].temperature == 1.0);
-    CHECK(stages[0].thermostat->plugin.name == "rescale");
-    CHECK(settings_in_words(stages[0].thermostat->values) == "every=5");
+    CHECK(stages[0].thermostat->name == "rescale");
+    CHECK(settings_in_words(stages[0].thermostat->settings) == "every=5");
     CHECK(stages[0].seed == 7);
     CHECK(stages[1].temperature == 0.7);
-    CHECK(stages[1].integrator.plugin.name == "leapfrog");
+    CHECK(stages[1].integrator.name == "leapfrog");
     CHECK(stages[1].sample);
     CHECK_FALSE(stages[1].thermostat);
 }
@@ -54,9 +55,38 @@ TEST_CASE("a few-body stage is sampled unless its table says otherwise, and may 
     REQUIRE(stages.size() == 1);
     CHECK(stages[0].sample);
     CHECK(stages[0].reverse);
-    CHECK(stages[0].integrator.plugin.name == "position-verlet");
-    CHECK(settings_in_words(stages[0].integrator.values) == "start=euler");
+    CHECK(stages[0].integrator.name == "position-verlet");
+    CHECK(settings_in_words(stages[0].integrator.settings) == "start=euler");
     CHECK(stages[0].steps == 95);
     CHECK(stages[0].time_step == 0.01);
     CHECK_FALSE(stages[0].thermostat);
+}
+
+TEST_CASE("a stage of a fluid has the baths of its table, with their options and places") {
+    const std::vector<std::string> settings{
+        "stage.equilibrate.thermostat={ type = \"langevin\", time = 0.25 }", "stage.equilibrate.temperature=1.5",
+        "stage.equilibrate.barostat={ type = \"stochastic-cell-rescaling\", pressure = 2.0 }"};
+    const Deck deck = DeckFolder().load(settings);
+    const auto& stages = deck.fluid().stages;
+    REQUIRE(stages.size() == 2);
+    REQUIRE(stages[0].thermostat.has_value());
+    CHECK(stages[0].thermostat->name == "langevin");
+    CHECK(settings_in_words(stages[0].thermostat->settings) == "time=0.25");
+    CHECK(stages[0].location_of_type(&Stage::thermostat).source->name == "--set " + settings[0]);
+    REQUIRE(stages[0].barostat.has_value());
+    CHECK(stages[0].barostat->name == "stochastic-cell-rescaling");
+    CHECK(stages[0].temperature == 1.5);
+    CHECK_FALSE(stages[1].thermostat.has_value());
+    CHECK_FALSE(stages[1].temperature.has_value());
+    CHECK(stages[1].sample);
+    CHECK(stages[1].location(&Stage::name).line == 21);
+}
+
+TEST_CASE("few bodies may take integrators that a fluid may not") {
+    const auto choices = [](const Schema& schema) { return schema.find("integrator")->choices.size(); };
+    const auto integrators = all_integrators();
+    CHECK(choices(Placed<FewBodyStage>::schema("[[stage]]")) == integrators.size());
+    CHECK(choices(Placed<Stage>::schema("[[stage]]")) ==
+          static_cast<std::size_t>(std::ranges::count_if(
+              integrators, [](const IntegratorMethod& method) { return !method.unbounded_only; })));
 }

@@ -24,7 +24,7 @@ TEST_CASE("what a deck leaves out has its default") {
     CHECK(deck->neighbors().method == "verlet-list");
     CHECK(deck->neighbors().skin == 0.3);
     REQUIRE(deck->stages.size() == 2);
-    CHECK(deck->stages[0].integrator.plugin.name == "velocity-verlet");
+    CHECK(deck->stages[0].integrator.name == "velocity-verlet");
     CHECK_FALSE(deck->stages[0].sample);
     CHECK(deck->stages[0].temperature == 1.0);  // that of [system]
 }
@@ -43,8 +43,8 @@ TEST_CASE("what a deck says arrives in the run") {
     CHECK(deck->stages[0].time_step == 0.004);
     CHECK(deck->stages[0].steps == 20);
     CHECK(deck->stages[0].temperature == 1.5);
-    CHECK(deck->stages[0].thermostat->plugin.name == "rescale");
-    CHECK(settings_in_words(deck->stages[0].thermostat->values) == "every=5");
+    CHECK(deck->stages[0].thermostat->name == "rescale");
+    CHECK(settings_in_words(deck->stages[0].thermostat->settings) == "every=5");
     CHECK(deck->stages[1].temperature == 1.0);
     CHECK(deck->stages[1].sample);
     CHECK(total_steps(deck->stages) == 60);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd::test {
 

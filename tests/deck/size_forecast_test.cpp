@@ -66,7 +66,8 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
     const Deck deck = folder.load({"stage.production.steps=400"});
     SampledRun run = sampled_run(deck, 108, find_start(deck).box);
     run.interaction = fluid_spec(deck).interaction();
-    for (const auto& [chosen, section] : deck.fluid().analysis.asked) {
+    for (const Choice& choice : deck.fluid().analysis.asked) {
+        const ChosenAnalysis chosen = chosen_analysis(choice);
         const double said = chosen.options->size(run).kept;
         const double kept = kept_by(*chosen.options->make(run), deck, run.steps - 1);
         INFO(chosen.plugin.name << ": said " << said << ", kept " << kept);

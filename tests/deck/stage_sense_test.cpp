@@ -1,4 +1,5 @@
 #include "ljmd/deck/stage_sense.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 
 #include "deck/deck_fixtures.hpp"
 
@@ -70,7 +71,7 @@ std::string bathed(const std::string& lines) {
 }
 
 constexpr const char* rescaling = "thermostat = { type = \"stochastic-rescaling\" }\n";
-constexpr const char* held_pressure = "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5 }\n";
+constexpr const char* half_pressure = "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5 }\n";
 
 }  // namespace
 
@@ -104,9 +105,9 @@ TEST_CASE("a thermostat needs a temperature, a canonical one above 0") {
 }
 
 TEST_CASE("a barostat needs a canonical thermostat beside it") {
-    CHECK(complaints(bathed(std::string(rescaling) + held_pressure)).empty());
+    CHECK(complaints(bathed(std::string(rescaling) + half_pressure)).empty());
     for (const std::string& lines :
-         {std::string(held_pressure), std::string("thermostat = { type = \"rescale\" }\n") + held_pressure}) {
+         {std::string(half_pressure), std::string("thermostat = { type = \"rescale\" }\n") + half_pressure}) {
         const auto found = complaints(bathed(lines));
         REQUIRE(found.size() == 1);
         CHECK_THAT(found[0].message, Contains("needs a canonical thermostat"));

@@ -10,6 +10,7 @@
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/integrators/integrator.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -49,7 +49,7 @@ TEST_CASE("a film has no analysis that is for a homogeneous fluid") {
                                                "cutoff_correction", "response_functions"};
     for (const AnalysisMethod& method : all_analyses()) {
         CAPTURE(method.name);
-        const std::vector<ChosenAnalysis> alone{analysis(method.name)};
+        const std::vector<Choice> alone{analysis(method.name)};
         const bool refused = std::ranges::find(homogeneous, method.name) != homogeneous.end();
         CHECK(homogeneity_mistakes(alone, true).size() == (refused ? 1 : 0));
         CHECK(homogeneity_mistakes(alone, false).empty());

@@ -132,9 +132,10 @@ TEST_CASE("numbers that are none, or nonsense, are mistakes") {
                    s.stages[1].steps = std::numeric_limits<Index>::max();
                }),
                Contains("more than 2^62"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].thermostat = ChosenThermostat{}; }),
-               Contains("chosen by integrator(), thermostat()"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {ChosenAnalysis{}}; }), Contains("chosen by analysis()"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].thermostat = Choice{"rescaling"}; }),
+               Contains("stage 'production': unknown thermostat 'rescaling', allowed: "));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[0].integrator = {"omelyan", {{"xi", 0.1}}}; }), Contains("xi"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {{"rdf", {{"bins", 0}}}}; }), Contains("analyses: 'bins' in rdf"));
 }
 
 TEST_CASE("a configuration has one velocity and one mass for each atom, or none") {

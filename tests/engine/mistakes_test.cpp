@@ -121,7 +121,7 @@ TEST_CASE("a fluid is not sampled on both sides of a reversal, wherever it is") 
 
 TEST_CASE("analyses want an unchanging box from the first sampled stage on, whatever was before") {
     std::vector<Stage> stages = stages_of("-s-");
-    const std::vector<ChosenAnalysis> analyses{analysis("rdf")};
+    const std::vector<Choice> analyses{analysis("rdf")};
     stages[0].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}});
     CHECK(sampling_mistakes(analyses, stages).empty());
     stages[2].barostat = stages[0].barostat;

@@ -1,5 +1,7 @@
 #include "ljmd/engine/requested_temperature.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "ljmd/engine/at_temperature.hpp"

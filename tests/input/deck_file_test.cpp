@@ -8,7 +8,7 @@
 
 #include "io/output_fixtures.hpp"
 #include "io/parsed_deck.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "io/parsed_deck.hpp"
-#include "ljmd/core/section.hpp"
 #include "ljmd/input/deck_file.hpp"
+#include "ljmd/options/section.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -131,9 +131,3 @@ TEST_CASE("32 levels are read and 33 are refused, brackets in strings and commen
     // a closing quote hides nothing behind it
     CHECK_THAT(mistake_in("a = ['''x''''', " + many + "]"), Contains("nested deeper"));
 }
-
-TEST_CASE("a text is written as TOML reads it") {
-    for (const std::string text : {"", "plain", "it's \"quoted\" C:\\n", "tab\t line\n \x7f\x01", "\u00e9"}) {
-        CHECK(get<std::string>(table_of("a = " + toml_string(text)), "a") == text);
-    }
-}

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 using namespace ljmd;
 

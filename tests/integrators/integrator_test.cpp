@@ -5,7 +5,7 @@
 
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 using namespace ljmd;
 

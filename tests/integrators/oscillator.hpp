@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/integrators/integrator.hpp"
 

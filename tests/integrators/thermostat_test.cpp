@@ -7,7 +7,7 @@
 #include "execution/test_execution.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;

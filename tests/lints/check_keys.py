@@ -19,15 +19,15 @@ import lint
 
 # file -> what it needs sections for
 SECTIONS = {
-    "include/ljmd/core/section.hpp": "the type itself",
-    "src/core/section.cpp": "the type itself",
-    "include/ljmd/input/placed.hpp": "reads sections into structs",
-    "include/ljmd/input/table_description.hpp": "reads sections into structs",
-    "src/input/table_description.cpp": "reads sections into structs",
+    "include/ljmd/options/section.hpp": "the type itself",
+    "src/options/section.cpp": "the type itself",
+    "include/ljmd/options/placed.hpp": "reads sections into structs",
+    "include/ljmd/options/table_description.hpp": "reads sections into structs",
+    "src/options/table_description.cpp": "reads sections into structs",
     "src/deck/deck.cpp": "validates a deck before its tables are read",
     "src/deck/mistake_report.cpp": "places of what the engine, which knows no deck, says of its values",
-    "include/ljmd/core/settings.hpp": "checks options that a program gives by key as those of a deck",
-    "src/core/settings.cpp": "the same",
+    "include/ljmd/options/settings.hpp": "checks options that a program gives by key as those of a deck",
+    "src/options/settings.cpp": "the same",
     "src/analyze/trajectory_analyses.cpp": "tables of analyses, with steps converted to frames",
 }
 
@@ -66,7 +66,7 @@ def check(root):
     return complaints
 
 
-SOUND = """#include "ljmd/core/section.hpp"
+SOUND = """#include "ljmd/options/section.hpp"
 void describe(Description& description) {
     description.number("time", time).above(0.0);  // not section.number("time")
     description.flag("on", on);

@@ -6,9 +6,9 @@
 
 #include "core/through_archive.hpp"
 #include "execution/test_execution.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
+#include "ljmd/options/registry.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
 

@@ -8,6 +8,8 @@
 #include "forces/made_external_force.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -38,7 +40,7 @@ FluidSpec free_atoms(std::shared_ptr<ExternalForce> force) {
                     .time_step = 0.02,
                     .steps = 500,
                     .temperature = temperature_held,
-                    .thermostat = choose(find_thermostat("langevin"))}};
+                    .thermostat = Choice{"langevin"}}};
     spec.stages.push_back(spec.stages.front());
     spec.stages.back().name = "sampled";
     spec.stages.back().steps = 5000;
@@ -121,7 +123,7 @@ TEST_CASE(
         spec.start = LatticeStart{.lattice = Lattice::fcc, .cells = 2};
         for (Stage& stage : spec.stages) {
             stage.steps *= 6;
-            stage.thermostat = choose(find_thermostat(bath));
+            stage.thermostat = Choice{bath};
         }
         const RunResult result = Simulation(spec).run();
         check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.015);
@@ -141,7 +143,7 @@ TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or
         for (Stage& stage : spec.stages) {
             stage.time_step = 0.004;
             stage.steps *= 12;
-            stage.thermostat = choose(find_thermostat(bath));
+            stage.thermostat = Choice{bath};
         }
         const RunResult result = Simulation(spec).run();
         check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.018);
@@ -192,7 +194,7 @@ TEST_CASE("every integrator keeps its order under a force that depends on time")
             spec.density = 0.1;
             spec.temperature = 0.0;
             spec.stages = {
-                {.name = "only", .integrator = choose(method), .time_step = dt, .steps = std::lround(1.0 / dt)}};
+                {.name = "only", .integrator = {method.name}, .time_step = dt, .steps = std::lround(1.0 / dt)}};
             Simulation simulation(spec);
             const double before = simulation.state().unwrapped(0)[0];
             simulation.run();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/potentials/second_virial.hpp"
 
 using namespace ljmd;

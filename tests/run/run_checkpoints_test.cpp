@@ -8,11 +8,11 @@
 
 #include "deck/every_analysis.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "run/run_fixtures.hpp"
 

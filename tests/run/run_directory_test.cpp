@@ -5,8 +5,8 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/deck/few_body.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/run/run.hpp"
 #include "run/run_fixtures.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 using namespace ljmd;

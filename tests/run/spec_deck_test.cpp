@@ -8,6 +8,8 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 #include "potentials/made_potential.hpp"
 
 using namespace ljmd;
@@ -29,32 +31,8 @@ Deck read(const std::string& text) {
 
 FluidSpec with_stage_of(const IntegratorMethod& method) {
     FluidSpec spec = small_spec();
-    spec.stages[1].integrator = choose(method);
+    spec.stages[1].integrator = integrator(method.name);
     return spec;
-}
-
-template <class Chosen>
-void check_same(const Chosen& found, const Chosen& wanted) {
-    CHECK(found.plugin.name == wanted.plugin.name);
-    CHECK(found.values == wanted.values);
-}
-
-void check_same(const Stage& found, const Stage& wanted) {
-    CHECK(found.name == wanted.name);
-    check_same(found.integrator, wanted.integrator);
-    CHECK(found.time_step == wanted.time_step);
-    CHECK(found.steps == wanted.steps);
-    CHECK(found.sample == wanted.sample);
-    CHECK(found.reverse == wanted.reverse);
-    REQUIRE(found.thermostat.has_value() == wanted.thermostat.has_value());
-    if (wanted.thermostat) {
-        check_same(*found.thermostat, *wanted.thermostat);
-        CHECK(found.temperature == wanted.temperature);
-    }
-    REQUIRE(found.barostat.has_value() == wanted.barostat.has_value());
-    if (wanted.barostat) {
-        check_same(*found.barostat, *wanted.barostat);
-    }
 }
 
 /// The deck of a specification says what the specification says.
@@ -75,20 +53,12 @@ void check_told(const FluidSpec& wanted) {
     CHECK(found.potential(0.97 * wanted.potential.cutoff().radius).w ==
           wanted.potential(0.97 * wanted.potential.cutoff().radius).w);
     CHECK(found.tail == wanted.tail);
-    CHECK(found.neighbors.method == wanted.neighbors.method);
-    CHECK(found.neighbors.skin == wanted.neighbors.skin);
-    CHECK(found.neighbors.every == wanted.neighbors.every);
+    CHECK(found.neighbors == wanted.neighbors);
     CHECK(found.sample_every == wanted.sample_every);
-    REQUIRE(found.stages.size() == wanted.stages.size());
-    for (std::size_t k = 0; k < wanted.stages.size(); ++k) {
-        check_same(found.stages[k], wanted.stages[k]);
-    }
+    CHECK(found.stages == resolved_stages(wanted));
     REQUIRE(found.analyses.size() == wanted.analyses.size());
-    for (const ChosenAnalysis& analysis : wanted.analyses) {
-        const auto same = std::ranges::find(found.analyses, analysis.plugin.name,
-                                            [](const ChosenAnalysis& other) { return other.plugin.name; });
-        REQUIRE(same != found.analyses.end());
-        CHECK(same->values == analysis.values);
+    for (const Choice& analysis : wanted.analyses) {
+        CHECK(std::ranges::find(found.analyses, analysis) != found.analyses.end());
     }
     CHECK(found.units.has_value() == wanted.units.has_value());
     if (wanted.units) {
@@ -163,7 +133,7 @@ TEST_CASE("so it is with every plug-in and its options") {
     }
     for (const ThermostatMethod& method : all_thermostats()) {
         FluidSpec spec = small_spec();
-        spec.stages[1].thermostat = choose(method);
+        spec.stages[1].thermostat = thermostat(method.name);
         check_told(spec);
     }
     FluidSpec spec = small_spec();
@@ -174,7 +144,7 @@ TEST_CASE("so it is with every plug-in and its options") {
         CAPTURE(method.name);
         FluidSpec analysed = small_spec();
         analysed.stages[1].steps = 4000;
-        analysed.analyses = {choose(method)};
+        analysed.analyses = {analysis(method.name)};
         check_told(analysed);
     }
 }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/document.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <vector>
-
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
-
-/// What [analysis] of a fluid's deck asks for. @param analysis  may still have mistakes
-[[nodiscard]] std::vector<ChosenAnalysis> chosen_analyses(const FluidAnalysisTable& analysis);
 
 /// Check that the analyses fit the run, its box and its stages. Warn where a thermostat changes the motion that they
 /// measure.

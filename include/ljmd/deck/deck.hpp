@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/deck/given_parts.hpp"
@@ -14,6 +13,7 @@
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/io/files/open_directory.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

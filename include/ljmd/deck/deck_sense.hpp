@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/model/box.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -16,6 +16,6 @@ namespace ljmd {
 
 /// Target temperature of a stage's thermostat [epsilon/k_B]: `temperature` of the stage, else of the system; nothing if
 /// neither has a valid one.
-[[nodiscard]] std::optional<double> stage_temperature(const Placed<FluidStageTable>& stage, const FluidTables& tables);
+[[nodiscard]] std::optional<double> stage_temperature(const Placed<Stage>& stage, const FluidTables& tables);
 
 }  // namespace ljmd

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/tables/few_body_tables.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/tables/few_body_tables.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

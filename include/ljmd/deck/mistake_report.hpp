@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/tables/few_body_tables.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/engine/mistakes.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/deck/deck.hpp"
+#include "ljmd/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/core/description.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/options/description.hpp"
 
 namespace ljmd {
 

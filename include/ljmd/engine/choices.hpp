@@ -2,20 +2,17 @@
 
 #include <string>
 
-#include "ljmd/core/settings.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
-/// Plug-ins by name, with some of their options by the keys of a deck; others keep their defaults. `ljmd info --keys`
-/// and docs/deck-reference.md list all.
+/// Plug-ins by name, with some of their options by the keys of a deck: checked at once, and with all other options at
+/// their defaults. A Choice that is written as a value is checked by mistakes(). `ljmd info --keys` and
+/// docs/deck-reference.md list all.
 /// @throws InputError for an unknown name or key, and for a value of another type or outside its range
-[[nodiscard]] ChosenIntegrator integrator(const std::string& name, const Settings& settings = {});
-[[nodiscard]] ChosenThermostat thermostat(const std::string& name, const Settings& settings = {});
-[[nodiscard]] ChosenBarostat barostat(const std::string& name, const Settings& settings = {});
-[[nodiscard]] ChosenAnalysis analysis(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice integrator(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice thermostat(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice barostat(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice analysis(const std::string& name, const Settings& settings = {});
 
 }  // namespace ljmd

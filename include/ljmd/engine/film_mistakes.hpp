@@ -17,6 +17,6 @@ namespace ljmd {
 [[nodiscard]] std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail);
 
 /// Analyses whose formulas are for a homogeneous fluid (AnalysisNeeds::homogeneous), if the start is a film.
-[[nodiscard]] std::vector<Mistake> homogeneity_mistakes(const std::vector<ChosenAnalysis>& analyses, bool is_film);
+[[nodiscard]] std::vector<Mistake> homogeneity_mistakes(const std::vector<Choice>& analyses, bool is_film);
 
 }  // namespace ljmd

@@ -8,8 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/description.hpp"
-#include "ljmd/core/units.hpp"
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/forces/external_force.hpp"
@@ -18,6 +16,8 @@
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/observables/statistics/run_averages.hpp"
+#include "ljmd/options/description.hpp"
+#include "ljmd/options/units.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
@@ -57,6 +57,8 @@ struct NeighborSpec {
     [[nodiscard]] bool keeps_list() const;
 
     void describe(Description& description);
+
+    friend bool operator==(const NeighborSpec&, const NeighborSpec&) = default;
 };
 
 /// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact,
@@ -76,7 +78,7 @@ struct FluidSpec {
 
     std::vector<Stage> stages = {};  ///< what is done, one after the other
     Index sample_every = 10;         ///< steps between samples of energy and pressure
-    std::vector<ChosenAnalysis> analyses = {};
+    std::vector<Choice> analyses = {};
 
     /// For messages that also name a temperature in kelvin.
     std::optional<SubstanceUnits> units = {};
@@ -95,6 +97,10 @@ struct FluidSpec {
 
 /// Box at the start. An edge that is twice the cutoff but for rounding is made twice the cutoff, see box_for_cutoff.
 [[nodiscard]] Box box_of(const FluidSpec& spec);
+
+/// The stages with all that they leave to the rest of the specification or to defaults: seed and temperature of the
+/// start, options of plug-ins. @throws InputError for a plug-in or an option that is not known
+[[nodiscard]] std::vector<Stage> resolved_stages(const FluidSpec& spec);
 
 /// Whether the velocities at the start are those of its configuration; else they are drawn.
 [[nodiscard]] bool keeps_velocities(const FluidSpec& spec);

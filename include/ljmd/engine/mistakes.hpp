@@ -31,6 +31,7 @@ struct Mistake {
 
 /// Integrators, thermostats and barostats of a fluid's stages, and samples on both sides of a reversal: the second ones
 /// are not independent of the first, whether or not the motion finds its way back to the last bit.
+/// @pre the stages are completed()
 [[nodiscard]] std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages);
 
 /// What an external force does not go with: a barostat that is not told its virial, and analyses of the pair forces
@@ -53,7 +54,7 @@ struct Mistake {
 [[nodiscard]] std::vector<Mistake> cutoff_mistakes(double cutoff, const Box& box);
 
 /// Stages whose samples the analyses cannot use. @pre there is a stage
-[[nodiscard]] std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analyses,
+[[nodiscard]] std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses,
                                                      const std::vector<Stage>& stages);
 
 /// Whether a truncated potential has a step at the cutoff. Its impulses are missing in the forces.
@@ -63,13 +64,12 @@ struct Mistake {
 [[nodiscard]] std::string step_in_words(const std::string& truncation);
 
 /// Truncation and thermostats that analyses do not go with (AnalysisNeeds::continuous_potential and constant_energy).
-[[nodiscard]] std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& analyses,
+[[nodiscard]] std::vector<Mistake> analysis_need_mistakes(const std::vector<Choice>& analyses,
                                                           const std::string& truncation,
                                                           const std::vector<Stage>& stages);
 
 /// Options of analyses that do not fit the run and its box.
-[[nodiscard]] std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analyses,
-                                                     const SampledRun& run);
+[[nodiscard]] std::vector<Mistake> analysis_mistakes(const std::vector<Choice>& analyses, const SampledRun& run);
 
 /// The mistakes that depend on the box: cutoff and analyses that do not fit into it.
 /// @pre mistakes() finds no others in the specification

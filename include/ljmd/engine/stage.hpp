@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/observables/statistics/wanted_errors.hpp"
+#include "ljmd/options/choice.hpp"
+#include "ljmd/options/table_description.hpp"
 
 namespace ljmd {
 
@@ -20,15 +19,15 @@ inline constexpr Index max_steps = 1'000'000'000'000'000;
 /// Steps of one integrator, with at most one thermostat and one barostat: one [[stage]] of a deck.
 struct Stage {
     std::string name;  ///< for messages and results; unique in a run
-    ChosenIntegrator integrator = choose(find_integrator("velocity-verlet"));
-    double time_step = 0.0;    ///< [tau], must be given: above 0
-    Index steps = 0;           ///< with `until` the largest number of them
-    double temperature = 0.0;  ///< target of the thermostat [epsilon/k_B]
-    bool sample = false;       ///< whether observables are measured
-    bool reverse = false;      ///< whether the motion is reversed before the first step
-    std::optional<ChosenThermostat> thermostat = {};
-    std::optional<ChosenBarostat> barostat = {};  ///< for a fluid only
-    std::uint64_t seed = 0;                       ///< of the random numbers of thermostat and barostat
+    Choice integrator = {"velocity-verlet"};
+    double time_step = 0.0;                  ///< [tau], must be given: above 0
+    Index steps = 0;                         ///< with `until` the largest number of them
+    std::optional<double> temperature = {};  ///< target of the thermostat [epsilon/k_B]; none: that of the start
+    bool sample = false;                     ///< whether observables are measured
+    bool reverse = false;                    ///< whether the motion is reversed before the first step
+    std::optional<Choice> thermostat = {};
+    std::optional<Choice> barostat = {};  ///< for a fluid only
+    std::uint64_t seed = 0;               ///< of the random numbers of thermostat and barostat
 
     /// (U + K)/N, tail and external energy included, to which velocities are scaled before the first step [epsilon];
     /// for a fluid only, and without a thermostat.
@@ -37,7 +36,19 @@ struct Stage {
     /// Ends the last stage of a fluid, which is sampled, as soon as the averages of the run have these errors; see
     /// until_observables() and docs/physics.md.
     std::vector<WantedError> until = {};
+
+    /// The keys of [[stage]] of a fluid, and of few bodies.
+    void describe(TableDescription& description);
+    void describe_few_body(TableDescription& description);
+
+    friend bool operator==(const Stage&, const Stage&) = default;
 };
+
+/// The stage with all options of its plug-ins. @throws InputError for a plug-in or an option that is not known
+[[nodiscard]] Stage completed(Stage stage);
+
+/// The pressure that the barostat of a stage holds [epsilon/sigma^3]; none without a barostat.
+[[nodiscard]] std::optional<double> held_pressure(const Stage& stage);
 
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
 /// integrator. True without a thermostat, and with a canonical one if there is no barostat.

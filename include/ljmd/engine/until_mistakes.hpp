@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/stage.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -85,5 +85,8 @@ using ChosenFewBodyForce = Chosen<FewBodyForceMethod, FewBodyForceOptions>;
 
 /// @throws InputError for an unknown name
 [[nodiscard]] FewBodyForceMethod find_few_body_force(const std::string& name);
+
+/// The force of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] ChosenFewBodyForce chosen_few_body_force(const Choice& choice);
 
 }  // namespace ljmd

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/value.hpp"
+#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/options/value.hpp"
 
 namespace ljmd {
 

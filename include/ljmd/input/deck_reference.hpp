@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/core/schema.hpp"
+#include "ljmd/options/schema.hpp"
 
 namespace ljmd {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/value.hpp"
+#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/options/value.hpp"
 
 namespace ljmd {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/schema.hpp"
+#include "ljmd/options/schema.hpp"
 
 namespace ljmd {
 

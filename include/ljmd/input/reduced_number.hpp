@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/core/units.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

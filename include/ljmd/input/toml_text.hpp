@@ -3,15 +3,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
-#include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/value.hpp"
+#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/options/value.hpp"
 
 namespace ljmd {
-
-/// A text as a string of TOML: in double quotes, with the escapes that are needed.
-[[nodiscard]] std::string toml_string(std::string_view text);
 
 /// Parse a TOML 1.0 text. Every key and value has its location in `source`; tables are located at their header.
 ///

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/description.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -75,5 +75,8 @@ using ChosenBarostat = Chosen<BarostatMethod, BarostatOptions>;
 
 /// @throws InputError for an unknown name
 [[nodiscard]] BarostatMethod find_barostat(const std::string& name);
+
+/// The barostat of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] ChosenBarostat chosen_barostat(const Choice& choice);
 
 }  // namespace ljmd

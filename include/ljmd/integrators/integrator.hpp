@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/description.hpp"
 #include "ljmd/integrators/operators.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -58,6 +58,9 @@ using ChosenIntegrator = Chosen<IntegratorMethod, IntegratorOptions>;
 
 /// @throws InputError for an unknown name
 [[nodiscard]] IntegratorMethod find_integrator(const std::string& name);
+
+/// The integrator of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] ChosenIntegrator chosen_integrator(const Choice& choice);
 
 /// A method with one time step, applied to states.
 ///

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/description.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -78,5 +78,8 @@ using ChosenThermostat = Chosen<ThermostatMethod, ThermostatOptions>;
 
 /// @throws InputError for an unknown name
 [[nodiscard]] ThermostatMethod find_thermostat(const std::string& name);
+
+/// The thermostat of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] ChosenThermostat chosen_thermostat(const Choice& choice);
 
 }  // namespace ljmd

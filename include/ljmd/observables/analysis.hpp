@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/ensemble.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
+#include "ljmd/options/choice.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
@@ -124,5 +124,11 @@ using ChosenAnalysis = Chosen<AnalysisMethod, AnalysisOptions>;
 
 /// All analyses, in alphabetical order.
 [[nodiscard]] std::vector<AnalysisMethod> all_analyses();
+
+/// @throws InputError for an unknown name
+[[nodiscard]] AnalysisMethod find_analysis(const std::string& name);
+
+/// The analysis of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] ChosenAnalysis chosen_analysis(const Choice& choice);
 
 }  // namespace ljmd

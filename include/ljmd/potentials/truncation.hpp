@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "ljmd/core/description.hpp"
+#include "ljmd/options/description.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/diagnostics.hpp"
+#include "ljmd/options/diagnostics.hpp"
 #include "ljmd/study/sweep_points.hpp"
 
 namespace ljmd {

@@ -8,9 +8,9 @@
 #include "ljmd/cli/example_decks.hpp"
 #include "ljmd/compare/crosscheck.hpp"
 #include "ljmd/compare/export.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/registry.hpp"
 #include "ljmd/reference/equation_of_state.hpp"
 
 namespace ljmd {

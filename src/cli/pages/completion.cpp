@@ -5,9 +5,9 @@
 #include <set>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/key_paths.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/options/key_paths.hpp"
 
 namespace ljmd {
 

@@ -6,6 +6,7 @@
 
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -67,8 +68,8 @@ Data run_data(const Problem& problem) {
     if (stage.thermostat) {
         data["temperature"] = stage.temperature;
     }
-    if (stage.barostat) {
-        data["pressure"] = stage.barostat->options->held_pressure();
+    if (const auto pressure = held_pressure(stage)) {
+        data["pressure"] = *pressure;
     }
     return data;
 }
@@ -105,7 +106,8 @@ std::string ensemble_of(const Stage& stage) {
 }
 
 Index freedom_of(const Stage& stage, Index atoms) {
-    return stage.thermostat && !stage.thermostat->plugin.conserves_momentum ? 3 * atoms : degrees_of_freedom(atoms);
+    return stage.thermostat && !find_thermostat(stage.thermostat->name).conserves_momentum ? 3 * atoms
+                                                                                           : degrees_of_freedom(atoms);
 }
 
 std::string problem_json(const Problem& problem) {

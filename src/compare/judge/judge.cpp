@@ -209,7 +209,7 @@ class Session {
                                  .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
                                  .our_freedom = freedom_of(stage, expected_.atoms)};
         if (stage.thermostat) conditions.temperature = stage.temperature;
-        if (stage.barostat) conditions.pressure = stage.barostat->options->held_pressure();
+        conditions.pressure = held_pressure(stage);
         return conditions;
     }
 

@@ -1,5 +1,8 @@
 #include "ljmd/deck/tables/few_body_tables.hpp"
 
+#include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+
 namespace ljmd {
 
 namespace {

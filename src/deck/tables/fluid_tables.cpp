@@ -1,5 +1,7 @@
 #include "ljmd/deck/tables/fluid_tables.hpp"
 
+#include "ljmd/observables/analysis.hpp"
+
 namespace ljmd {
 
 void PerformanceTable::describe(Description& description) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "ljmd/core/registry.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
-#include "ljmd/input/table_description.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/options/registry.hpp"
+#include "ljmd/options/table_description.hpp"
 
 namespace ljmd {
 

@@ -17,9 +17,10 @@ std::string meaning_of_formulas() {
 /// The keys of a formula, bound to its parameters.
 Description description_of(const std::string& formula, PairPotential::Parameters& parameters) {
     const std::vector<Key> keys = PairPotential::formula_keys(formula);
-    parameters.clear();
-    for (const Key& key : keys) {
-        parameters.emplace_back(key.name, 0.0);
+    if (parameters.empty()) {
+        for (const Key& key : keys) {
+            parameters.emplace_back(key.name, 0.0);
+        }
     }
     Description description;
     for (std::size_t k = 0; k < keys.size(); ++k) {

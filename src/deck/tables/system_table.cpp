@@ -8,9 +8,6 @@ namespace {
 
 constexpr double min_density = 1e-12;  // one atom in a box of 10^4 sigma
 
-constexpr const char* random_places = "random";
-
-constexpr const char* maxwell = "maxwell";
 constexpr const char* of_file = "file";
 
 }  // namespace

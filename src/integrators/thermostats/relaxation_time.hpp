@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/core/description.hpp"
+#include "ljmd/options/description.hpp"
 
 namespace ljmd {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../hdf5/hdf5_input.hpp"
-#include "ljmd/core/units.hpp"
+#include "ljmd/options/units.hpp"
 #include "unit_scale.hpp"
 
 namespace ljmd {

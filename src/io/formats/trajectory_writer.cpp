@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 namespace ljmd {
 

@@ -9,8 +9,11 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/engine/choices.hpp"
+#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
 #include "ljmd/reference/pressure_states.hpp"
+#include "ljmd/run/spec_deck.hpp"
 
 namespace ljmd {
 
@@ -20,6 +23,7 @@ constexpr double shortest_cutoff = 2.5;
 constexpr double switching_width = 0.5;
 constexpr double least_energy = 3.0;  // of all atoms: so many pairs are near each other
 constexpr double counted_beyond_cutoff = 2.0;
+constexpr Index steps_of_melt = 1500;
 constexpr double usual_time_step = 0.005;
 constexpr double temperature_of_time_step = 2.0;  // above it the step shrinks as 1/sqrt(T)
 
@@ -160,44 +164,28 @@ double relaxation_time(const ReferenceSetup& setup) {
     return 1.2 * viscosity / (setup.density * t);
 }
 
-/// System, potential and the stages that all decks have.
-std::string deck_head(const ReferenceSetup& setup, const std::string& title, Index equilibration) {
+Stage stage_of(const char* name, double time_step, Index steps) {
+    return {.name = name, .time_step = time_step, .steps = steps};
+}
+
+/// A run that melts, equilibrates, and ends with a stage that is sampled.
+FluidSpec spec_of(const ReferenceSetup& setup, Index equilibration, Stage sampled, std::vector<Choice> analyses = {}) {
     const ReferenceRequest& request = setup.request;
-    return fmt::format(
-        R"(title = "{title}"
-
-[system]
-lattice = {{ type = "fcc", cells = {cells} }}
-density = {density}
-temperature = {temperature}
-seed = {seed}
-
-[potential]
-type = "lennard-jones"
-cutoff = {cutoff}
-truncation = "switched"
-switch_start = {start}
-tail = true
-
-[[stage]]
-name = "melt"
-time_step = {melt_step}
-steps = 1500
-temperature = {melt}
-thermostat = {{ type = "langevin", time = 0.2 }}
-
-[[stage]]
-name = "equilibrate"
-time_step = {step}
-steps = {equilibration}
-thermostat = {{ type = "langevin" }}
-
-)",
-        fmt::arg("title", title), fmt::arg("cells", setup.cells), fmt::arg("density", setup.density),
-        fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
-        fmt::arg("cutoff", setup.potential.cutoff().radius), fmt::arg("start", setup.potential.cutoff().switch_start),
-        fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)), fmt::arg("melt", setup.temperature_of_melt),
-        fmt::arg("step", setup.time_step), fmt::arg("equilibration", equilibration));
+    Stage melt = stage_of("melt", time_step_at(setup.temperature_of_melt), steps_of_melt);
+    melt.temperature = setup.temperature_of_melt;
+    melt.thermostat = thermostat("langevin", {{"time", 0.2}});
+    Stage equilibrate = stage_of("equilibrate", setup.time_step, equilibration);
+    equilibrate.thermostat = thermostat("langevin");
+    sampled.sample = true;
+    return {.start = LatticeStart{.cells = setup.cells},
+            .density = setup.density,
+            .temperature = request.temperature,
+            .seed = request.seed,
+            .potential = setup.potential,
+            .tail = true,
+            .stages = {std::move(melt), std::move(equilibrate), std::move(sampled)},
+            .sample_every = rows_every,
+            .analyses = std::move(analyses)};
 }
 
 std::string state_words(const ReferenceSetup& setup) {
@@ -274,73 +262,41 @@ ReferenceSetup reference_setup(const ReferenceRequest& asked) {
 }
 
 std::string pilot_deck(const ReferenceSetup& setup) {
-    return deck_head(setup, "Pilot run: " + state_words(setup), 0) + fmt::format(R"([[stage]]
-name = "settle"
-time_step = {}
-steps = {}
-thermostat = {{ type = "langevin" }}
-sample = true
-
-[output]
-thermo = {{ every = {} }}
-)",
-                                                                                 setup.time_step, pilot_steps,
-                                                                                 rows_every);
+    Stage settle = stage_of("settle", setup.time_step, pilot_steps);
+    settle.thermostat = thermostat("langevin");
+    return deck_text(spec_of(setup, 0, settle), {.title = "Pilot run: " + state_words(setup)});
 }
 
 std::string canonical_deck(const ReferenceSetup& setup, Index equilibration) {
     const ReferenceRequest& request = setup.request;
-    std::string deck = deck_head(setup, "Reference: " + state_words(setup), equilibration);
-    deck += fmt::format(R"([[stage]]
-name = "production"
-time_step = {}
-steps = {}
-thermostat = {{ type = "langevin" }}
-sample = true
-
-[output]
-thermo = {{ every = {} }}
-
-[analysis]
-cutoff_correction = {{ radius = {}, every = 200 }}
-rdf = {{ bins = 250, radius = {}, every = 200 }}
-)",
-                        setup.time_step, first_steps(setup, false), rows_every, setup.counted_radius(),
-                        setup.counted_radius());
+    Stage production = stage_of("production", setup.time_step, first_steps(setup, false));
+    production.thermostat = thermostat("langevin");
+    std::vector<Choice> analyses{analysis("cutoff_correction", {{"radius", setup.counted_radius()}, {"every", 200}}),
+                                 analysis("rdf", {{"bins", 250}, {"radius", setup.counted_radius()}, {"every", 200}})};
     if (request.needs(MeasuredBy::responses)) {
-        deck += "response_functions = { every = 50 }\n";
+        analyses.push_back(analysis("response_functions", {{"every", 50}}));
     }
     if (request.needs(MeasuredBy::insertion)) {
-        deck += fmt::format("chemical_potential = {{ every = 100, insertions = {} }}\n", 4 * setup.atoms);
+        analyses.push_back(analysis("chemical_potential", {{"every", 100}, {"insertions", 4 * setup.atoms}}));
     }
     if (std::ranges::find(request.properties, "structure_factor") != request.properties.end()) {
-        deck += "structure_factor = { every = 500 }\n";
+        analyses.push_back(analysis("structure_factor", {{"every", 500}}));
     }
-    return deck;
+    return deck_text(spec_of(setup, equilibration, production, std::move(analyses)),
+                     {.title = "Reference: " + state_words(setup)});
 }
 
 std::string transport_deck(const ReferenceSetup& setup, Index equilibration, double total_energy) {
     const double lag = longest_lag(setup);
-    return deck_head(setup, "Reference, transport: " + state_words(setup), equilibration) +
-           fmt::format(R"([[stage]]
-name = "production"
-time_step = {step}
-steps = {steps}
-total_energy = {energy}
-sample = true
-
-[output]
-thermo = {{ every = {rows} }}
-
-[analysis]
-msd = {{ every = 50, max_time = {displacement}, fit_start = {start} }}
-viscosity = {{ every = 5, max_time = {lag} }}
-bulk_viscosity = {{ every = 5, max_time = {lag} }}
-thermal_conductivity = {{ every = 10, max_time = {lag} }}
-)",
-                       fmt::arg("step", transport_time_step(setup)), fmt::arg("steps", first_steps(setup, true)),
-                       fmt::arg("energy", total_energy), fmt::arg("rows", rows_every),
-                       fmt::arg("displacement", 2.0 * lag), fmt::arg("start", 0.4 * lag), fmt::arg("lag", lag));
+    Stage production = stage_of("production", transport_time_step(setup), first_steps(setup, true));
+    production.total_energy = total_energy;
+    const std::vector<Choice> analyses{
+        analysis("msd", {{"every", 50}, {"max_time", 2.0 * lag}, {"fit_start", 0.4 * lag}}),
+        analysis("viscosity", {{"every", 5}, {"max_time", lag}}),
+        analysis("bulk_viscosity", {{"every", 5}, {"max_time", lag}}),
+        analysis("thermal_conductivity", {{"every", 10}, {"max_time", lag}})};
+    return deck_text(spec_of(setup, equilibration, production, analyses),
+                     {.title = "Reference, transport: " + state_words(setup)});
 }
 
 double transport_time_step(const ReferenceSetup& setup) {

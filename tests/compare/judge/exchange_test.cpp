@@ -47,10 +47,10 @@ TEST_CASE("a thermostat that acts on the centre of mass gives all atoms their de
     Stage stage;
     CHECK(ensemble_of(stage) == "NVE");
     CHECK(freedom_of(stage, 10) == 27);
-    stage.thermostat = choose(find_thermostat("langevin"));
+    stage.thermostat = Choice{"langevin"};
     CHECK(ensemble_of(stage) == "NVT");
     CHECK(freedom_of(stage, 10) == 30);
-    stage.thermostat = choose(find_thermostat("stochastic-rescaling"));
+    stage.thermostat = Choice{"stochastic-rescaling"};
     CHECK(freedom_of(stage, 10) == 27);
 }
 

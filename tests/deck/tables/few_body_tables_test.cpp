@@ -40,10 +40,10 @@ TEST_CASE("what a few-body deck leaves out has its default") {
     CHECK_FALSE(deck.trajectory.has_value());
     CHECK_FALSE(deck.units.has_value());
     REQUIRE(deck.stages.size() == 1);
-    CHECK(deck.stages[0].integrator.plugin.name == "velocity-verlet");
+    CHECK(deck.stages[0].integrator.name == "velocity-verlet");
     CHECK(deck.stages[0].sample);
     CHECK_FALSE(deck.stages[0].reverse);
-    CHECK(settings_in_words(deck.few_body().force.method.values) ==
+    CHECK(settings_in_words(deck.few_body().force.method.settings) ==
           "gravitational_constant=1 softening=0 central_mass=0");
     const Deck written = DeckFolder(stars_deck).load({"output.trajectory.every=7"});
     REQUIRE(written.trajectory.has_value());

@@ -23,9 +23,9 @@ TEST_CASE("analyses are chosen in the order of their names, with the options of 
     const Deck deck = DeckFolder(small_deck + "\n[analysis]\nvacf = {}\nrdf = { bins = 17, radius = 1.5 }\n").load();
     const auto& asked = deck.fluid().analysis.asked;
     REQUIRE(asked.size() == 2);
-    CHECK(asked[0].chosen.plugin.name == "rdf");
-    CHECK(settings_in_words(asked[0].chosen.values) == "bins=17 radius=1.5 every=200");
-    CHECK(asked[1].chosen.plugin.name == "vacf");
+    CHECK(asked[0].name == "rdf");
+    CHECK(settings_in_words(asked[0].settings) == "bins=17 radius=1.5 every=200");
+    CHECK(asked[1].name == "vacf");
 }
 
 TEST_CASE("what is written is told from a default, wherever it is written") {

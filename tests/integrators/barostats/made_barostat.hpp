@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/model/velocities.hpp"
 

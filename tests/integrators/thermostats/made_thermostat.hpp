@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
 

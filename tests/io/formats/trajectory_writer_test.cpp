@@ -9,9 +9,9 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
 #include "ljmd/io/hdf5/hdf5_handle.hpp"
+#include "ljmd/options/registry.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/options/section.hpp"
 #include "ljmd/observables/analysis.hpp"
 
 namespace ljmd::test {

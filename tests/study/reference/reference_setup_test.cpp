@@ -105,7 +105,7 @@ TEST_CASE("the decks of a reference are right, and measure what is asked for") {
         std::vector<std::string> names;
         const Deck deck = folder.load();
         for (const auto& asked : deck.fluid().analysis.asked) {
-            names.push_back(asked.chosen.plugin.name);
+            names.push_back(asked.name);
         }
         return names;
     };

@@ -4,16 +4,14 @@
 #include <vector>
 
 #include "ljmd/deck/tables/output_table.hpp"
-#include "ljmd/deck/tables/stage_table.hpp"
-#include "ljmd/forces/few_body_force.hpp"
-#include "ljmd/input/placed.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/engine/stage.hpp"
+#include "ljmd/options/placed.hpp"
 
 namespace ljmd {
 
 /// [force]: the law of motion.
 struct ForceTable {
-    ChosenFewBodyForce method = {};
+    Choice method = {};
 
     void describe(TableDescription& description);
 };
@@ -27,9 +25,16 @@ struct BodyTable {
     void describe(Description& description);
 };
 
+/// [[stage]] of a few-body deck.
+struct FewBodyStage : Stage {
+    FewBodyStage() { sample = true; }
+
+    void describe(TableDescription& description) { describe_few_body(description); }
+};
+
 /// [analysis] of a few-body deck.
 struct FewBodyAnalysisTable {
-    std::vector<PlacedChoice<FewBodyAnalysisMethod, FewBodyAnalysisOptions>> asked;
+    std::vector<Choice> asked;
 
     void describe(TableDescription& description);
 };
@@ -39,7 +44,7 @@ struct FewBodyTables {
     std::string title;
     Placed<ForceTable> force;
     std::vector<Placed<BodyTable>> bodies;
-    std::vector<Placed<FewBodyStageTable>> stages;
+    std::vector<Placed<FewBodyStage>> stages;
     Placed<FewBodyOutputTable> output;
     Placed<FewBodyAnalysisTable> analysis;
 

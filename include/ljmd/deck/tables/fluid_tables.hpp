@@ -6,11 +6,9 @@
 
 #include "ljmd/deck/tables/output_table.hpp"
 #include "ljmd/deck/tables/potential_table.hpp"
-#include "ljmd/deck/tables/stage_table.hpp"
 #include "ljmd/deck/tables/system_table.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
-#include "ljmd/input/placed.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/options/placed.hpp"
 
 namespace ljmd {
 
@@ -23,7 +21,7 @@ struct PerformanceTable {
 
 /// [analysis] of a fluid.
 struct FluidAnalysisTable {
-    std::vector<PlacedChoice<AnalysisMethod, AnalysisOptions>> asked;
+    std::vector<Choice> asked;
 
     void describe(TableDescription& description);
 };
@@ -37,7 +35,7 @@ struct FluidTables {
     Placed<PotentialTable> potential;
     Placed<NeighborSpec> neighbors;
     Placed<PerformanceTable> performance;
-    std::vector<Placed<FluidStageTable>> stages;
+    std::vector<Placed<Stage>> stages;
     Placed<FluidOutputTable> output;
     Placed<FluidAnalysisTable> analysis;
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ljmd/deck/run_files.hpp"
-#include "ljmd/input/placed.hpp"
+#include "ljmd/options/placed.hpp"
 
 namespace ljmd {
 

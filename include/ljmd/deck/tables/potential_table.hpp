@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/input/placed.hpp"
+#include "ljmd/options/placed.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {

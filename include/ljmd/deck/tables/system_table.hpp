@@ -4,8 +4,8 @@
 #include <string>
 
 #include "ljmd/engine/fluid_spec.hpp"
-#include "ljmd/input/placed.hpp"
 #include "ljmd/model/lattice.hpp"
+#include "ljmd/options/placed.hpp"
 
 namespace ljmd {
 
@@ -20,6 +20,8 @@ struct ArgonTable {
 
 /// `lattice` in [system]: positions to start from.
 struct LatticeTable {
+    static constexpr const char* random_places = "random";  ///< in place of a lattice
+
     std::string type;
     std::optional<Index> cells;  ///< along an edge
     std::optional<Index> atoms;
@@ -35,6 +37,8 @@ struct LatticeTable {
 
 /// [system]: atoms and box at the start.
 struct SystemTable {
+    static constexpr const char* maxwell = "maxwell";  ///< velocities that are drawn
+
     std::optional<Placed<LatticeTable>> lattice;
     std::optional<std::string> file;
     std::optional<std::string> xyz_comment;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/model/configuration.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

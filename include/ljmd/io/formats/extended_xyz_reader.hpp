@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/io/files/text_file.hpp"
 #include "ljmd/io/formats/one_kind.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
 #include "ljmd/model/configuration.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/io/files/open_directory.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/model/configuration.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/units.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/options/units.hpp"
 
 namespace ljmd {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/description.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/observables/few_body/polar_angle.hpp"
+#include "ljmd/options/choice.hpp"
 
 namespace ljmd {
 
@@ -85,5 +85,8 @@ struct FewBodyAnalysisMethod {
 
 /// All few-body analyses, in alphabetical order.
 [[nodiscard]] std::vector<FewBodyAnalysisMethod> all_few_body_analyses();
+
+/// The analysis of a choice with its options. @throws InputError see chosen()
+[[nodiscard]] Chosen<FewBodyAnalysisMethod, FewBodyAnalysisOptions> chosen_few_body_analysis(const Choice& choice);
 
 }  // namespace ljmd

@@ -12,6 +12,8 @@ namespace ljmd {
 struct WantedError {
     std::string observable;  ///< its name in results.json
     double error;            ///< one standard deviation of its mean, reduced; above 0
+
+    friend bool operator==(const WantedError&, const WantedError&) = default;
 };
 
 /// A wanted error and the present one.

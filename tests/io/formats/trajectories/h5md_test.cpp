@@ -4,9 +4,9 @@
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/units.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/io/hdf5/hdf5_handle.hpp"
+#include "ljmd/options/units.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
