@@ -1,50 +1,95 @@
-# The library ljmd::ljmd and the program ljmd.
-file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
-# The command line is read by the program alone.
-set(ljmd_program_sources main.cpp described_commands.cpp own_commands.cpp evaluate/evaluate_options.cpp)
-list(TRANSFORM ljmd_program_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
-list(REMOVE_ITEM ljmd_sources ${ljmd_program_sources} ${ljmd_simd_sources})
-list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/python/")
+# The libraries, each upon the one before it, and the program:
+#
+#   ljmd::engine   runs in memory: the rooms from core to engine. No file, no deck, no process.
+#   ljmd::ljmd     runs with a directory: decks, formats of files, analyses of what a run has left
+#   ljmd_program   what the program consists of, for it, its tests and the Python package; it is not installed
+#
+# BUILD_SHARED_LIBS decides whether the first two are shared. LJMD_FILES=OFF builds the first alone.
+set(ljmd_engine_rooms core options execution model reference potentials domain neighbors forces integrators observables
+                      engine)
+set(ljmd_file_rooms io input deck run analyze)
+set(ljmd_program_rooms compare study report cli)
 
-# What needs MPI is a module of its own.
-list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/execution/mpi/")
+# ljmd_sources_of(<variable> <room>...): their sources, but for kernels, and for what needs MPI, which is a module of its own.
+function(ljmd_sources_of variable)
+    list(TRANSFORM ARGN APPEND /*.cpp)
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/src/)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ARGN})
+    list(REMOVE_ITEM sources ${ljmd_simd_sources})
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/execution/mpi/")
+    set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
 
-# What needs a library that may be absent has a stand-in that says so.
+# ljmd_part(<target> <kind, or nothing> <source>...)
+function(ljmd_part target kind)
+    add_library(${target} ${kind} ${ARGN})
+    ljmd_for_extension(${target})
+    ljmd_compile_together(${target} ${ARGN})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_include_directories(${target}
+        PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/include>
+               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+        PRIVATE ${ljmd_version_include})
+    # This project's own options are no business of who links an installed ljmd; nor are libraries of headers alone.
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:ljmd_options> fmt::fmt)
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL SHARED_LIBRARY AND NOT APPLE)
+        # What is of ljmd is seen from outside, and nothing of the libraries that it is built on.
+        target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exported.map)
+        set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported.map)
+    endif()
+endfunction()
+
+ljmd_sources_of(ljmd_engine_sources ${ljmd_engine_rooms})
+ljmd_part(ljmd_engine "" ${ljmd_engine_sources} ${ljmd_engine_registries} ${ljmd_simd_objects})
+add_library(ljmd::engine ALIAS ljmd_engine)
+set_target_properties(ljmd_engine PROPERTIES EXPORT_NAME engine)
+target_precompile_headers(ljmd_engine PRIVATE ${ljmd_precompiled_headers})
+add_dependencies(ljmd_engine ljmd_version_header)
+target_include_directories(ljmd_engine SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
+target_link_libraries(ljmd_engine
+    PUBLIC Eigen3::Eigen
+    PRIVATE Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::xxhash ${CMAKE_DL_LIBS})
+
+if(LJMD_FILES)
+    ljmd_sources_of(ljmd_file_sources ${ljmd_file_rooms})
+    ljmd_part(ljmd_library "" ${ljmd_file_sources} ${ljmd_file_registries})
+    add_library(ljmd::ljmd ALIAS ljmd_library)
+    set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
+    target_precompile_headers(ljmd_library REUSE_FROM ljmd_engine)
+    target_link_libraries(ljmd_library
+        PUBLIC ljmd_engine
+        PRIVATE $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5
+                ZLIB::ZLIB Threads::Threads)
+endif()
+if(NOT LJMD_PROGRAM)
+    return()
+endif()
+
+# What needs a library that may be absent has a stand-in that says so. The command line is read by the program alone.
+set(ljmd_main_sources main.cpp described_commands.cpp own_commands.cpp evaluate/evaluate_options.cpp)
+list(TRANSFORM ljmd_main_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
+ljmd_sources_of(ljmd_program_sources ${ljmd_program_rooms})
+list(REMOVE_ITEM ljmd_program_sources ${ljmd_main_sources})
 if(OpenMM_FOUND)
     set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm_absent/)
 else()
     set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm/)
 endif()
-list(FILTER ljmd_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
-
-add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
-add_library(ljmd::ljmd ALIAS ljmd_library)
-ljmd_for_extension(ljmd_library)
-target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
-ljmd_compile_together(ljmd_library ${ljmd_sources})
-add_dependencies(ljmd_library ljmd_version_header)
+list(FILTER ljmd_program_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
+ljmd_part(ljmd_program STATIC ${ljmd_program_sources})
+target_precompile_headers(ljmd_program REUSE_FROM ljmd_engine)
+target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl Threads::Threads ZLIB::ZLIB)
 # The page of `ljmd report`, which the assembler includes.
 set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES
     COMPILE_DEFINITIONS LJMD_REPORT_BUNDLE="${ljmd_bundle}"
     OBJECT_DEPENDS "${ljmd_bundle}/index.html;${ljmd_bundle}/report.css;${ljmd_bundle}/report.js"
     SKIP_UNITY_BUILD_INCLUSION ON)
-set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
-target_compile_features(ljmd_library PUBLIC cxx_std_20)
-target_include_directories(ljmd_library
-    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-           $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/include>
-           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${ljmd_version_include})
-target_include_directories(ljmd_library SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
-# Libraries of headers alone, and this project's own options, are no business of who links an installed ljmd.
-target_link_libraries(ljmd_library
-    PUBLIC Eigen3::Eigen
-    PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-            fmt::fmt Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5
-            ZLIB::ZLIB)
 if(OpenMM_FOUND)
-    target_link_libraries(ljmd_library PRIVATE OpenMM::OpenMM)
+    target_link_libraries(ljmd_program PRIVATE OpenMM::OpenMM)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/compare/openmm/openmm_platforms.cpp
                  APPEND PROPERTY COMPILE_DEFINITIONS LJMD_OPENMM_PLUGIN_DIR="${OpenMM_PLUGIN_DIR}")
     file(GLOB openmm_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/compare/openmm/*.cpp)
@@ -69,10 +114,10 @@ if(MPI_CXX_FOUND)
     target_link_libraries(ljmd_mpi PRIVATE ljmd_options MPI::MPI_CXX)
 endif()
 
-add_executable(ljmd ${ljmd_program_sources})
+add_executable(ljmd ${ljmd_main_sources})
 if(TARGET ljmd_mpi)
     add_dependencies(ljmd ljmd_mpi)
 endif()
-target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)
+target_link_libraries(ljmd PRIVATE ljmd_program ljmd_options CLI11::CLI11 fmt::fmt)
 # They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
-set_property(SOURCE ${ljmd_program_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
+set_property(SOURCE ${ljmd_main_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)

@@ -2,13 +2,10 @@
 # <build>/python/ljmd, so that it can be imported without being installed (tools/python). Its part that reads results is
 # Python alone. The scripts in analysis/ use it, and it is installed for them also without the extension.
 #
-# LJMD_BUILD_PYTHON: AUTO builds it where Python's and pybind11's headers are found, but not under a sanitizer or for
-# coverage, whose run-time library an ordinary Python does not have.
-set(LJMD_BUILD_PYTHON AUTO CACHE STRING "Build the Python package: ON, OFF, or AUTO for where it can be built")
-set_property(CACHE LJMD_BUILD_PYTHON PROPERTY STRINGS AUTO ON OFF)
-
+# LJMD_BUILD_PYTHON=AUTO builds it where Python's and pybind11's headers are found, but not under a sanitizer or for coverage,
+# whose run-time library an ordinary Python does not have.
 set(ljmd_python_wanted ${LJMD_BUILD_PYTHON})
-if(LJMD_BUILD_PYTHON STREQUAL AUTO AND (NOT PROJECT_IS_TOP_LEVEL OR CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage"))
+if(LJMD_BUILD_PYTHON STREQUAL AUTO AND (NOT LJMD_PROGRAM OR CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage"))
     set(ljmd_python_wanted OFF)
 endif()
 
@@ -31,8 +28,9 @@ if(ljmd_python_wanted)
     if(Python3_FOUND AND pybind11_FOUND)
         set(ljmd_build_python ON)
         message(STATUS "The Python package is built for ${Python3_EXECUTABLE} (${Python3_VERSION})")
-    elseif(ljmd_python_wanted STREQUAL ON)
-        message(FATAL_ERROR "LJMD_BUILD_PYTHON wants the headers of Python 3.9 or later and of pybind11 2.10 or later")
+    elseif(NOT ljmd_python_wanted STREQUAL AUTO)
+        message(FATAL_ERROR "The Python package takes the headers of Python 3.9 or later and of pybind11 2.10 or later. "
+                            "-D LJMD_BUILD_PYTHON=OFF builds without it.")
     else()
         message(STATUS "The Python package is not built: it takes the headers of Python 3.9 and of pybind11 2.10")
     endif()
@@ -47,22 +45,24 @@ endif()
 # ljmd_for_extension(<target>...): their objects can be part of a shared library. They export nothing and nobody
 # replaces their functions, so that the compiler inlines and calls as it does for a program.
 function(ljmd_for_extension)
-    if(ljmd_build_python)
-        set_target_properties(${ARGN} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
-                                                 VISIBILITY_INLINES_HIDDEN ON)
+    if(ljmd_build_python OR BUILD_SHARED_LIBS)
+        set_target_properties(${ARGN} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        if(NOT BUILD_SHARED_LIBS)
+            set_target_properties(${ARGN} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+        endif()
         foreach(target IN LISTS ARGN)
             target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-fno-semantic-interposition>)
         endforeach()
     endif()
 endfunction()
 
-# Called when ljmd_library is there.
+# Called when ljmd_program is there.
 function(ljmd_add_python_package)
     set(package ${PROJECT_BINARY_DIR}/python/ljmd)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/python/*.cpp)
     Python3_add_library(ljmd_python MODULE WITH_SOABI ${sources})
     ljmd_compile_together(ljmd_python ${sources})
-    target_link_libraries(ljmd_python PRIVATE pybind11::headers ljmd_library ljmd_options fmt::fmt)
+    target_link_libraries(ljmd_python PRIVATE pybind11::headers ljmd_program ljmd_options fmt::fmt)
     set_target_properties(ljmd_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package}
                                                  CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     # What the archive exports would take the place of functions of other extensions, or give way to them.

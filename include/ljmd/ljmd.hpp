@@ -1,17 +1,6 @@
 #pragma once
 
-/// The whole of what programs use: `#include <ljmd/ljmd.hpp>`. docs/library.md is the tutorial.
-#include "ljmd/core/build_info.hpp"
-#include "ljmd/core/errors.hpp"
-#include "ljmd/engine/choices.hpp"
-#include "ljmd/engine/configuration_evaluator.hpp"
-#include "ljmd/engine/observer.hpp"
-#include "ljmd/engine/simulation.hpp"
-#include "ljmd/execution/execution.hpp"
-#include "ljmd/forces/external_force.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/potentials/second_virial.hpp"
-#include "ljmd/reference/fluid_phase.hpp"
-#include "ljmd/reference/pressure_states.hpp"
+/// The whole of what programs use: `#include <ljmd/ljmd.hpp>`, and link ljmd::ljmd. docs/library.md is the tutorial.
+#include "ljmd/engine.hpp"
 #include "ljmd/run/run_in_directory.hpp"
 #include "ljmd/run/spec_deck.hpp"

@@ -5,15 +5,14 @@
 
 #include <functional>
 
+#include "ljmd/core/gsl_errors.hpp"
+
 namespace ljmd {
 
-/// A function of one variable in GSL's form. Its constructor turns off GSL's error handler, which would abort the
-/// program, so that errors are returned as codes.
+/// A function of one variable in GSL's form. While it lives, GSL returns errors as codes.
 class GslFunction {
   public:
-    explicit GslFunction(const std::function<double(double)>& f) : f_(f), function_{&call, &f_} {
-        gsl_set_error_handler_off();
-    }
+    explicit GslFunction(const std::function<double(double)>& f) : f_(f), function_{&call, &f_} {}
     GslFunction(const GslFunction&) = delete;
     GslFunction& operator=(const GslFunction&) = delete;
 
@@ -22,6 +21,7 @@ class GslFunction {
   private:
     static double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
 
+    GslErrorCodes codes_;
     std::function<double(double)> f_;
     gsl_function function_;
 };

@@ -76,8 +76,8 @@ void judge_start(const FluidSpec& spec, Complaints& complaints) {
     if (configuration != nullptr) {
         judge_configuration(*configuration, complaints);
     } else {
-        complaints.add(!(spec.density > 0.0 && std::isfinite(spec.density)), "start",
-                       fmt::format("the density is {}, it must be above 0", spec.density));
+        complaints.add(!(spec.density >= min_density && std::isfinite(spec.density)), "start",
+                       fmt::format("the density is {}, it must be at least {}", spec.density, min_density));
     }
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
         complaints.add(lattice_mistakes(*crystal));

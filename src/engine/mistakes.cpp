@@ -204,13 +204,12 @@ std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages
 }
 
 std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
-    constexpr Index max_cells = Index{1} << 20;  // see lattice_atoms()
     Mistakes found("system");
     if (lattice.cells < 1 || lattice.cells > max_cells) {
         found.add({"lattice.cells"},
                   fmt::format("{} cells along an edge: allowed are 1 to {}", lattice.cells, max_cells));
-    } else if (lattice.layers && (*lattice.layers < 1 || *lattice.layers > max_cells)) {
-        found.add({"lattice.layers"}, fmt::format("{} layers: allowed are 1 to {}", *lattice.layers, max_cells));
+    } else if (lattice.layers && (*lattice.layers < 1 || *lattice.layers > max_layers)) {
+        found.add({"lattice.layers"}, fmt::format("{} layers: allowed are 1 to {}", *lattice.layers, max_layers));
     } else if (const Index atoms = lattice_atoms(lattice.lattice, lattice.cells, lattice.layers_along_z());
                atoms > max_atoms) {
         found.add_of_key({"lattice.cells"}, fmt::format("makes {} atoms, more than {}", atoms, max_atoms));
@@ -221,8 +220,8 @@ std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
 std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail) {
     Mistakes found("potential");
     const std::string meaningless = fmt::format("has no meaning for truncation = \"{}\"", truncation);
-    if (!(cutoff.radius > 0.0 && std::isfinite(cutoff.radius))) {
-        found.add({"cutoff"}, fmt::format("the cutoff is {}, it must be above 0", cutoff.radius));
+    if (!(cutoff.radius >= min_cutoff && std::isfinite(cutoff.radius))) {
+        found.add({"cutoff"}, fmt::format("the cutoff is {}, it must be at least {}", cutoff.radius, min_cutoff));
     } else if (truncation == "switched" && !(cutoff.switch_start > 0.0)) {
         found.add({"switch_start"}, fmt::format("the switch starts at {}, it must be above 0", cutoff.switch_start));
     } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/gsl_errors.hpp"
 
 namespace ljmd {
 
@@ -33,7 +34,7 @@ class ReferenceTrajectory::Integration {
           y_(2 * size_),
           origin_(start.time),
           system_{&Integration::call, nullptr, y_.size(), this} {
-        gsl_set_error_handler_off();  // errors are returned as codes; GSL's own handler would abort the program
+        const GslErrorCodes codes;
         const double any_step = 1.0;  // replaced by set_step() before it is used
         driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, any_step, tolerance, tolerance));
         inner_method_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, y_.size()));
@@ -76,6 +77,7 @@ class ReferenceTrajectory::Integration {
 
     /// @param end  time since the origin
     void advance(double end, const StateWatch& within) {
+        const GslErrorCodes codes;
         set_step(end - elapsed_);
         const int status = step_to(end, within);
         show(y_, elapsed_);

@@ -64,6 +64,9 @@ std::string toml_value(const Value& value) {
                 std::vector<std::string> items(data.size());
                 std::ranges::transform(data, items.begin(), toml_value);
                 return fmt::format("[{}]", fmt::join(items, ", "));
+            } else if constexpr (std::is_same_v<T, double>) {
+                const std::string text = fmt::format("{}", data);
+                return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
             } else {
                 return fmt::format("{}", data);
             }

@@ -1,4 +1,5 @@
 #include "ljmd/study/replica_merge.hpp"
+#include "ljmd/core/gsl_errors.hpp"
 
 #include <gsl/gsl_cdf.h>
 
@@ -19,6 +20,7 @@ constexpr const char* error_suffix = "_standard_error";
 
 /// The factor for an error with so many degrees of freedom.
 double student_factor(double freedom) {
+    const GslErrorCodes codes;
     return gsl_cdf_tdist_Pinv(0.5 * (1.0 + one_sigma), freedom);
 }
 
@@ -55,6 +57,7 @@ MergedMean merged_mean(const std::vector<ReplicaMean>& runs) {
     const double within = merged.within * merged.within;
     const double freedom_within = freedom_of_run * static_cast<double>(runs.size());
     const bool known = std::isfinite(within);
+    const GslErrorCodes codes;
     merged.agree = !known || between <= within * gsl_cdf_fdist_Pinv(sure, freedom, freedom_within);
     merged.standard_error = known && merged.agree
                                 ? std::sqrt((freedom_within * within + freedom * between) / (freedom_within + freedom))

@@ -24,7 +24,7 @@ file(RENAME ${work_dir}/first ${work_dir}/installed)
 file(COPY ${source_dir}/tests/consumer DESTINATION ${work_dir})
 file(COPY ${source_dir}/docs/examples DESTINATION ${work_dir}/consumer)
 
-foreach(path ${bin_dir}/ljmd ${lib_dir}/libljmd.a ${lib_dir}/pkgconfig/ljmd.pc ${lib_dir}/cmake/ljmd/ljmdConfig.cmake
+foreach(path ${bin_dir}/ljmd ${lib_dir}/libljmd.a ${lib_dir}/libljmd_engine.a ${lib_dir}/pkgconfig/ljmd.pc ${lib_dir}/cmake/ljmd/ljmdConfig.cmake
              ${include_dir}/ljmd/ljmd.hpp ${data_dir}/ljmd/inputs ${data_dir}/ljmd/analysis ${data_dir}/ljmd/python/ljmd/reading/tables.py
              ${data_dir}/man/man1/ljmd.1 ${data_dir}/bash-completion/completions/ljmd ${data_dir}/zsh/site-functions/_ljmd
              ${data_dir}/fish/vendor_completions.d/ljmd.fish ${data_dir}/doc/ljmd/README.md

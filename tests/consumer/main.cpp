@@ -1,5 +1,5 @@
 // A program of somebody else that uses an installed ljmd: a run in memory, in a folder that stays empty.
-#include <ljmd/ljmd.hpp>
+#include <ljmd/engine.hpp>
 
 #include <stdlib.h>
 

@@ -69,7 +69,7 @@ TEST_CASE("a crystal has no more atoms than can be indexed") {
     CHECK(lattice_mistakes({Lattice::fcc, 645}).empty());
     CHECK(in_words(only(lattice_mistakes({Lattice::fcc, 646}))) ==
           "start: lattice.cells makes 1078344544 atoms, more than 1073741824");
-    CHECK(in_words(only(lattice_mistakes({.cells = 3, .layers = 0}))) == "start: 0 layers: allowed are 1 to 1048576");
+    CHECK(in_words(only(lattice_mistakes({.cells = 3, .layers = 0}))) == "start: 0 layers: allowed are 1 to 100000");
 }
 
 TEST_CASE("the names of stages can be printed") {

@@ -6,7 +6,7 @@
 
 #include "forces/made_few_body_force.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
+#include "ljmd/options/registry.hpp"
 
 using namespace ljmd;
 

@@ -42,7 +42,7 @@ KEPT_FROM = {
 ALLOWED = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
 
 # What programs include is no room: it leads to all that needs no file or process, and to runs with a directory.
-FRONT = Path("include/ljmd/ljmd.hpp")
+FRONTS = (Path("include/ljmd/engine.hpp"), Path("include/ljmd/ljmd.hpp"))
 
 PHYSICS = {"model", "potentials", "domain", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
 
@@ -65,7 +65,7 @@ CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|elifdef|elifndef)\b")
 def room_of(path):
     """Room of a path relative to the root: include/ljmd/<room>/..., src/<room>/...; None elsewhere."""
     parts = path.parts
-    if path == FRONT:
+    if path in FRONTS:
         return "front"
     if parts[:2] == ("include", "ljmd") and len(parts) > 3:
         return parts[2]

@@ -6,7 +6,7 @@ using namespace ljmd;
 
 namespace {
 
-Schema deck() {
+Schema example() {
     Schema thermostat("thermostat", {Key::choice("type", {"rescale", "langevin"})});
     thermostat.select("type", {{"rescale", {Key::integer("every")}}, {"langevin", {Key::number("time")}}});
     return Schema("the deck",
@@ -28,24 +28,24 @@ std::vector<std::string> paths(const std::vector<KeyPlace>& places) {
 }  // namespace
 
 TEST_CASE("every key has the path that --set takes, keys of choices included") {
-    CHECK(paths(key_places(deck())) ==
+    CHECK(paths(key_places(example())) ==
           std::vector<std::string>{"title", "system", "system.density", "system.temperature", "stage",
                                    "stage.NAME.name", "stage.NAME.temperature", "stage.NAME.thermostat",
                                    "stage.NAME.thermostat.type", "stage.NAME.thermostat.time",
                                    "stage.NAME.thermostat.every", "body", "body.NUMBER.mass"});
-    const KeyPlace density = key_places(deck())[2];
+    const KeyPlace density = key_places(example())[2];
     CHECK(density.name == "density");
     CHECK(density.table == "[system]");
     CHECK_FALSE(density.is_table);
 }
 
 TEST_CASE("a key is found in inner tables, but not where it is known already or in too many") {
-    CHECK(paths(inner_places(deck(), "density")) == std::vector<std::string>{"system.density"});
-    CHECK(paths(inner_places(deck(), "temperature")) ==
+    CHECK(paths(inner_places(example(), "density")) == std::vector<std::string>{"system.density"});
+    CHECK(paths(inner_places(example(), "temperature")) ==
           std::vector<std::string>{"system.temperature", "stage.NAME.temperature"});
-    CHECK(paths(inner_places(deck(), "thermostat")) == std::vector<std::string>{"stage.NAME.thermostat"});
-    CHECK(inner_places(deck(), "title").empty());
-    CHECK(inner_places(deck(), "nothing").empty());
+    CHECK(paths(inner_places(example(), "thermostat")) == std::vector<std::string>{"stage.NAME.thermostat"});
+    CHECK(inner_places(example(), "title").empty());
+    CHECK(inner_places(example(), "nothing").empty());
     const Key x = Key::number("x");
     const Schema many("many", {Key::table("a", Schema("a", {x})), Key::table("b", Schema("b", {x})),
                                Key::table("c", Schema("c", {x})), Key::table("d", Schema("d", {x}))});
@@ -53,6 +53,6 @@ TEST_CASE("a key is found in inner tables, but not where it is known already or 
 }
 
 TEST_CASE("the nearest key of inner tables is known") {
-    CHECK(nearest_inner_name(deck(), "densty") == "density");
-    CHECK(nearest_inner_name(deck(), "qqqqqqqqqqqq").empty());
+    CHECK(nearest_inner_name(example(), "densty") == "density");
+    CHECK(nearest_inner_name(example(), "qqqqqqqqqqqq").empty());
 }

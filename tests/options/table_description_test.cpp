@@ -164,9 +164,9 @@ TEST_CASE("what members make is read to the same members") {
     const Table written = table_of(static_cast<const Outer&>(outer));
     CHECK(toml_value({written, {}}) ==
           "{ shape = \"square\", pause = \"1.5 min\", usual = { size = 0.5, tool = \"hammer\", every = 3 }, extra = { "
-          "size = 2, tool = \"saw\", every = 5 }, part = [{ size = 0.5, label = \"first\", tool = \"hammer\", every = 3 "
+          "size = 2.0, tool = \"saw\", every = 5 }, part = [{ size = 0.5, label = \"first\", tool = \"hammer\", every = 3 "
           "}, { size = 0.5, tool = \"hammer\", every = 7 }], saw = { every = 9 }, spare = { type = \"saw\", every = 4 }, "
-          "corner = { x = 0, y = -2 }, edge = 0.1 }");
+          "corner = { x = 0.0, y = -2.0 }, edge = 0.1 }");
     CHECK(toml_value({table_of(static_cast<const Outer&>(read(written))), {}}) == toml_value({written, {}}));
 }
 

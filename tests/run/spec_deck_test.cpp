@@ -7,9 +7,11 @@
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/barostat.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/options/placed.hpp"
+#include "ljmd/options/toml_writer.hpp"
 #include "potentials/made_potential.hpp"
 
 using namespace ljmd;
@@ -123,6 +125,28 @@ TEST_CASE("so it is with every potential, truncation and pair search") {
         spec.neighbors.method = method;
         check_told(spec);
     }
+}
+
+TEST_CASE("what a deck leaves out has the default of a specification") {
+    const Deck deck = read(
+        "[system]\nlattice = { type = \"fcc\", cells = 5 }\ndensity = 0.8\ntemperature = 1.0\n\n[potential]\ntype = "
+        "\"lennard-jones\"\ncutoff = 2.5\ntruncation = \"shifted\"\n\n[[stage]]\nname = \"only\"\ntime_step = "
+        "0.004\nsteps = 10\n");
+    FluidSpec spec{.start = LatticeStart{.cells = 5}, .density = 0.8, .temperature = 1.0};
+    spec.stages = {{.name = "only", .time_step = 0.004, .steps = 10}};
+    const FluidSpec found = fluid_spec(deck);
+    CHECK(found.neighbors == spec.neighbors);
+    CHECK(found.stages == resolved_stages(spec));
+    CHECK(found.seed == spec.seed);
+    CHECK(found.keep_velocities == spec.keep_velocities);
+    CHECK(found.tail == spec.tail);
+    CHECK(found.sample_every == spec.sample_every);
+    const RunFiles files;
+    CHECK(deck.title == files.title);
+    CHECK(deck.checkpoint.every.seconds == files.checkpoint.every.seconds);
+    CHECK(deck.checkpoint.keep == files.checkpoint.keep);
+    CHECK_FALSE(deck.trajectory.has_value());
+    CHECK(toml_value({table_of(Stage(found.stages[0])), {}}) == toml_value({table_of(resolved_stages(spec)[0]), {}}));
 }
 
 TEST_CASE("so it is with every plug-in and its options") {

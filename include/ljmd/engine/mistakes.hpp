@@ -8,6 +8,12 @@
 
 namespace ljmd {
 
+// Ranges of values, for decks and specifications alike.
+inline constexpr Index max_cells = 1000;      ///< of a crystal, along an edge
+inline constexpr Index max_layers = 100'000;  ///< of a crystal, along z
+inline constexpr double min_density = 1e-12;  ///< one atom in a box of 10^4 sigma [sigma^-3]
+inline constexpr double min_cutoff = 0.01;    ///< r^-12 there is 10^24 [sigma]
+
 /// Values of a specification that break a rule. Tables and keys have the names that they have in a deck, which can thus
 /// show the place.
 struct Mistake {

@@ -123,7 +123,7 @@ Key& TableDescription::table(const std::string& name, const std::string& title, 
                                                               Placed<Options>::schema(title), std::nullopt, none));
     };
     const auto write = [name, &member](Table& table) {
-        table.push_back(entry(name, table_of(static_cast<const Options&>(member))));
+        table.push_back(entry_of(name, table_of(static_cast<const Options&>(member))));
     };
     return add_other(Key::table(name, Placed<Options>::schema(title)), &member, read, write);
 }
@@ -138,7 +138,7 @@ Key& TableDescription::table(const std::string& name, const std::string& title,
     };
     const auto write = [name, &member](Table& table) {
         if (member) {
-            table.push_back(entry(name, table_of(static_cast<const Options&>(*member))));
+            table.push_back(entry_of(name, table_of(static_cast<const Options&>(*member))));
         }
     };
     return add_other(Key::table(name, Placed<Options>::schema(title)).optional(), &member, read, write);
@@ -156,7 +156,7 @@ Key& TableDescription::tables(const std::string& name, const std::string& title,
         for (const Placed<Options>& one : member) {
             all.push_back({table_of(static_cast<const Options&>(one)), {}});
         }
-        table.push_back(entry(name, std::move(all)));
+        table.push_back(entry_of(name, std::move(all)));
     };
     return add_other(Key::tables(name, Placed<Options>::schema(title)), &member, read, write);
 }
@@ -172,7 +172,7 @@ Key& TableDescription::table_for(const std::string& name, const void* member,
     };
     const auto write = [name, give](Table& table) {
         if (const std::optional<Options> options = give()) {
-            table.push_back(entry(name, table_of(*options)));
+            table.push_back(entry_of(name, table_of(*options)));
         }
     };
     return add_other(Key::table(name, Placed<Options>::schema(name)).optional(), member, read, write);
@@ -191,7 +191,7 @@ Key& TableDescription::plugin(const std::string& name, const std::vector<Plugin>
         member = choice_of(choose(find_plugin(plugins, std::get<std::string>(section.plain(name)), name), section));
     };
     const auto write = [name, &member](Table& table) {
-        table.push_back(entry(name, member.name));
+        table.push_back(entry_of(name, member.name));
         append(member.settings, table);
     };
     return add_other(key, &member, read, write);
@@ -212,9 +212,9 @@ Key& TableDescription::plugin_table(const std::string& name, const std::vector<P
     };
     const auto write = [name, &member](Table& table) {
         if (member) {
-            Table own{entry(plugin_key, member->name)};
+            Table own{entry_of(plugin_key, member->name)};
             append(member->settings, own);
-            table.push_back(entry(name, std::move(own)));
+            table.push_back(entry_of(name, std::move(own)));
         }
     };
     return add_other(Key::table(name, inner.schema(name)).optional(), &member, read, write);
@@ -234,7 +234,7 @@ void TableDescription::choices(const std::vector<Plugin>& plugins, const std::st
                 if (choice.name == name) {
                     Table own;
                     append(choice.settings, own);
-                    table.push_back(entry(name, std::move(own)));
+                    table.push_back(entry_of(name, std::move(own)));
                 }
             }
         };

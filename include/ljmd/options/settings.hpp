@@ -19,7 +19,7 @@ using Settings = std::vector<std::pair<std::string, PlainValue>>;
 
 /// An entry that stands in no text.
 template <class T>
-[[nodiscard]] Entry entry(const std::string& key, T value) {
+[[nodiscard]] Entry entry_of(const std::string& key, T value) {
     return {key, {}, {std::move(value), {}}};
 }
 

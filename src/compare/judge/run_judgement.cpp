@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ljmd/core/gsl_errors.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -234,6 +235,7 @@ double gamma_distance(const std::vector<double>& x, double shape, double ineffic
     std::ranges::sort(sorted);
     const auto n = static_cast<double>(sorted.size());
     double largest = 0.0;
+    const GslErrorCodes codes;
     for (std::size_t k = 0; k < sorted.size(); ++k) {
         const double f = gsl_cdf_gamma_P(sorted[k], shape, scale);
         const auto below = static_cast<double>(k);

@@ -1,10 +1,10 @@
 #include "ljmd/deck/tables/potential_table.hpp"
 
+#include "ljmd/engine/mistakes.hpp"
+
 namespace ljmd {
 
 namespace {
-
-constexpr double min_cutoff = 0.01;  // r^-12 there is 10^24
 
 std::string meaning_of_formulas() {
     std::string meaning = "pair potential u(r)";

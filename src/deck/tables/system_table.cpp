@@ -1,12 +1,11 @@
 #include "ljmd/deck/tables/system_table.hpp"
 
 #include "ljmd/engine/film_mistakes.hpp"
+#include "ljmd/engine/mistakes.hpp"
 
 namespace ljmd {
 
 namespace {
-
-constexpr double min_density = 1e-12;  // one atom in a box of 10^4 sigma
 
 constexpr const char* of_file = "file";
 
@@ -31,7 +30,7 @@ void LatticeTable::describe(Description& description) {
         .meaning("where the atoms start; overlaps of a random start are relaxed before the first step");
     description.integer("cells", cells)
         .at_least(1)
-        .at_most(1000)
+        .at_most(static_cast<double>(max_cells))
         .optional("taken from `atoms`")
         .meaning("cubic cells along each edge: N = 4 cells^3 (fcc) or cells^3 (simple-cubic)");
     description.integer("atoms", atoms)
@@ -41,7 +40,7 @@ void LatticeTable::describe(Description& description) {
         .meaning("number of atoms instead of `cells`; required for random");
     description.integer("layers", layers)
         .at_least(1)
-        .at_most(100000)
+        .at_most(static_cast<double>(max_layers))
         .optional("`cells`")
         .meaning("cubic cells along z, for an elongated box: N = 4 cells^2 layers (fcc)");
     description.number("height", height)

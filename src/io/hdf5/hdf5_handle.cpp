@@ -2,12 +2,11 @@
 
 #include <string_view>
 
+#include "ljmd/io/hdf5/hdf5_exit.hpp"
+
 namespace ljmd {
 
 namespace {
-
-// Before main(), because it has no effect once HDF5 has been used. See Hdf5Handle.
-[[maybe_unused]] const herr_t no_work_at_exit = H5dont_atexit();
 
 /// HDF5 puts the system's message between these, within a longer line.
 constexpr std::string_view before = "error message = '";
@@ -29,6 +28,10 @@ herr_t keep_first_cause(unsigned, const H5E_error2_t* error, void* data) {
 }
 
 }  // namespace
+
+void leave_hdf5_files_at_exit() {
+    H5dont_atexit();
+}
 
 std::string hdf5_error_text() {
     std::string text;
