@@ -32,7 +32,10 @@ void check_motion(const std::vector<Placed<Stage>>& tables, const std::vector<St
 }  // namespace
 
 void check_analyses(const Placed<FluidTables>& tables, Index atoms, const Box& box, Diagnostics& diagnostics) {
-    const std::vector<Choice>& analyses = tables.analysis.asked;
+    std::vector<Choice> analyses = tables.analysis.asked;
+    std::erase_if(analyses, [&tables](const Choice& analysis) {
+        return !tables.analysis.section().section(analysis.name).all_sound();
+    });
     const std::vector<Stage> stages = stages_of(tables);
     const SampledRun run = sampled_run(stages, stages.front().seed, atoms, box);
     report(analysis_mistakes(analyses, run), tables, diagnostics);

@@ -9,6 +9,13 @@ std::vector<Stage> stages_of(const FluidTables& tables) {
         if (!table.sound(&Stage::total_energy)) {
             stage.total_energy.reset();
         }
+        const bool sound_thermostat = table.all_sound_in(&Stage::thermostat);
+        if (!sound_thermostat) {
+            stage.thermostat.reset();
+        }
+        if (!sound_thermostat || !table.all_sound_in(&Stage::barostat)) {
+            stage.barostat.reset();  // a rule would miss its thermostat
+        }
         stage.seed = static_cast<std::uint64_t>(tables.system.seed);
         stage.temperature = stage_temperature(table, tables);
         if (stage.thermostat && !stage.temperature) {

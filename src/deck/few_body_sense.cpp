@@ -93,18 +93,22 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
     if (!dimensions || !tables.sound(&FewBodyTables::force) || !tables.force.sound(&ForceTable::method)) {
         return;
     }
-    const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
-    if (!check_force_dimensions(bodies.front(), force.plugin, *dimensions, diagnostics) || !is_sound(tables)) {
+    const FewBodyForceMethod method = find_few_body_force(tables.force.method.name);
+    if (!check_force_dimensions(bodies.front(), method, *dimensions, diagnostics) || !is_sound(tables)) {
         return;
     }
+    const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
     const State start = few_body_start(bodies, *force.options);
     if (const auto problem = force.options->check(start)) {
         diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location(&BodyTable::position),
                           problem->message);
     }
     for (const Choice& analysis : tables.analysis.asked) {
-        report_at_keys(chosen_few_body_analysis(analysis).options->check({start.count(), *dimensions, force}),
-                       tables.analysis.section().section(analysis.name), diagnostics);
+        const auto& section = tables.analysis.section().section(analysis.name);
+        if (section.all_sound()) {
+            report_at_keys(chosen_few_body_analysis(analysis).options->check({start.count(), *dimensions, force}),
+                           section, diagnostics);
+        }
     }
 }
 

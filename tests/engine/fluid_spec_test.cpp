@@ -134,8 +134,11 @@ TEST_CASE("numbers that are none, or nonsense, are mistakes") {
                Contains("more than 2^62"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].thermostat = Choice{"rescaling"}; }),
                Contains("stage 'production': unknown thermostat 'rescaling', allowed: "));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[0].integrator = {"omelyan", {{"xi", 0.1}}}; }), Contains("xi"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {{"rdf", {{"bins", 0}}}}; }), Contains("analyses: 'bins' in rdf"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[0].integrator = {"leapfrog", {{"xi", 0.1}}}; }), Contains("xi"));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.analyses = {{"rdf", {{"bins", 0}}}};
+               }),
+               Contains("analyses: 'bins' in rdf"));
 }
 
 TEST_CASE("a configuration has one velocity and one mass for each atom, or none") {

@@ -142,7 +142,7 @@ TEST_CASE("texts, vectors, quantities and intervals are bound as numbers are") {
     CHECK(other.every.steps == 40);
     CHECK_FALSE(other.every.seconds.has_value());
     CHECK(settings_in_words(d.values()) ==
-          "tail=true title=none file=a.xyz name= type= position=[1, 2] mass=0 depth=1.5 every=40");
+          "tail=true title=none file=a.xyz name= type= position=[1, 2] mass=0 kg depth=1.5 every=40");
     d.take("every", PlainValue(std::string("90 s")));
     CHECK(other.every.seconds == 90.0);
 

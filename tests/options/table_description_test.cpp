@@ -77,8 +77,13 @@ struct Outer {
         description.plugin_table("spare", all_tools(), spare).optional("none");
         description
             .table_for<Corner>(
-                "corner", &corner, [this](const Corner& table) { corner = {table.x, table.y}; },
-                [this] { return corner.empty() ? std::nullopt : std::optional(Corner{corner[0], corner[1]}); })
+                "corner", &corner,
+                [this](const Corner& table) {
+                    corner = {table.x, table.y};
+                },
+                [this] {
+                    return corner.empty() ? std::nullopt : std::optional(Corner{corner[0], corner[1]});
+                })
             .optional("the origin");
     }
 };
@@ -88,14 +93,14 @@ Location at(int line) {
     return {source, line, 1, 1};
 }
 
-Entry entry(const std::string& key, int line, decltype(Value::data) data) {
+Entry entry_at(const std::string& key, int line, decltype(Value::data) data) {
     return {key, at(line), {std::move(data), at(line)}};
 }
 
 /// The table with one part, if it has none.
 Placed<Outer> read(Table table, Diagnostics& diagnostics) {
     if (find(table, "part") == nullptr) {
-        table.push_back(entry("part", 1, Array{{Table{}, at(1)}}));
+        table.push_back(entry_at("part", 1, Array{{Table{}, at(1)}}));
     }
     return Placed<Outer>(validate(table, at(1), Placed<Outer>::schema("outer"), std::nullopt, diagnostics));
 }
@@ -110,13 +115,13 @@ Placed<Outer> read(const Table& table) {
 }  // namespace
 
 TEST_CASE("a table becomes its struct: values, inner tables, arrays of tables and plug-ins") {
-    const auto outer =
-        read({entry("shape", 2, std::string("circle")), entry("radius", 3, 1.5),
-              entry("extra", 4, Table{entry("size", 4, 2.0), entry("tool", 4, std::string("saw"))}),
-              entry("part", 5,
-                    Array{{Table{entry("label", 5, std::string("first"))}, at(5)},
-                          {Table{entry("every", 6, std::int64_t{7})}, at(6)}}),
-              entry("saw", 7, Table{entry("every", 7, std::int64_t{9})}), entry("pause", 8, std::int64_t{50})});
+    const auto outer = read(
+        {entry_at("shape", 2, std::string("circle")), entry_at("radius", 3, 1.5),
+         entry_at("extra", 4, Table{entry_at("size", 4, 2.0), entry_at("tool", 4, std::string("saw"))}),
+         entry_at("part", 5,
+                  Array{{Table{entry_at("label", 5, std::string("first"))}, at(5)},
+                        {Table{entry_at("every", 6, std::int64_t{7})}, at(6)}}),
+         entry_at("saw", 7, Table{entry_at("every", 7, std::int64_t{9})}), entry_at("pause", 8, std::int64_t{50})});
     CHECK(outer.shape == "circle");
     CHECK(outer.radius == 1.5);
     CHECK(outer.pause.steps == 50);
@@ -135,43 +140,46 @@ TEST_CASE("a table becomes its struct: values, inner tables, arrays of tables an
 }
 
 TEST_CASE("a plug-in in a table of its own, and a table whose members have another form") {
-    const auto outer =
-        read({entry("shape", 2, std::string("circle")), entry("radius", 3, 1.5),
-              entry("spare", 4, Table{entry("type", 5, std::string("saw")), entry("every", 6, std::int64_t{4})}),
-              entry("corner", 7, Table{entry("y", 8, -2.0)})});
+    const auto outer = read(
+        {entry_at("shape", 2, std::string("circle")), entry_at("radius", 3, 1.5),
+         entry_at("spare", 4, Table{entry_at("type", 5, std::string("saw")), entry_at("every", 6, std::int64_t{4})}),
+         entry_at("corner", 7, Table{entry_at("y", 8, -2.0)})});
     CHECK(outer.spare == Choice{"saw", {{"every", 4}}});
     CHECK(outer.location_of_type(&Outer::spare).line == 5);
     CHECK(outer.corner == std::vector<double>{0.0, -2.0});
     CHECK(outer.inner(&Outer::corner).all_sound());
     Diagnostics diagnostics;
-    const auto unknown = read({entry("shape", 2, std::string("circle")), entry("radius", 3, 1.5),
-                               entry("spare", 4, Table{entry("type", 5, std::string("axe"))})},
+    const auto unknown = read({entry_at("shape", 2, std::string("circle")), entry_at("radius", 3, 1.5),
+                               entry_at("spare", 4, Table{entry_at("type", 5, std::string("axe"))})},
                               diagnostics);
     CHECK(diagnostics.has_errors());
     CHECK_FALSE(unknown.spare.has_value());
 }
 
 TEST_CASE("what members make is read to the same members") {
-    const auto outer =
-        read({entry("shape", 2, std::string("square")), entry("edge", 3, 0.1), entry("pause", 8, std::string("90 s")),
-              entry("extra", 4, Table{entry("size", 4, 2.0), entry("tool", 4, std::string("saw"))}),
-              entry("part", 5,
-                    Array{{Table{entry("label", 5, std::string("first"))}, at(5)},
-                          {Table{entry("every", 6, std::int64_t{7})}, at(6)}}),
-              entry("saw", 7, Table{entry("every", 7, std::int64_t{9})}),
-              entry("spare", 4, Table{entry("type", 5, std::string("saw")), entry("every", 6, std::int64_t{4})}),
-              entry("corner", 7, Table{entry("y", 8, -2.0)})});
+    const auto outer = read(
+        {entry_at("shape", 2, std::string("square")), entry_at("edge", 3, 0.1),
+         entry_at("pause", 8, std::string("90 s")),
+         entry_at("extra", 4, Table{entry_at("size", 4, 2.0), entry_at("tool", 4, std::string("saw"))}),
+         entry_at("part", 5,
+                  Array{{Table{entry_at("label", 5, std::string("first"))}, at(5)},
+                        {Table{entry_at("every", 6, std::int64_t{7})}, at(6)}}),
+         entry_at("saw", 7, Table{entry_at("every", 7, std::int64_t{9})}),
+         entry_at("spare", 4, Table{entry_at("type", 5, std::string("saw")), entry_at("every", 6, std::int64_t{4})}),
+         entry_at("corner", 7, Table{entry_at("y", 8, -2.0)})});
     const Table written = table_of(static_cast<const Outer&>(outer));
-    CHECK(toml_value({written, {}}) ==
-          "{ shape = \"square\", pause = \"1.5 min\", usual = { size = 0.5, tool = \"hammer\", every = 3 }, extra = { "
-          "size = 2.0, tool = \"saw\", every = 5 }, part = [{ size = 0.5, label = \"first\", tool = \"hammer\", every = 3 "
-          "}, { size = 0.5, tool = \"hammer\", every = 7 }], saw = { every = 9 }, spare = { type = \"saw\", every = 4 }, "
-          "corner = { x = 0.0, y = -2.0 }, edge = 0.1 }");
+    CHECK(
+        toml_value({written, {}}) ==
+        "{ shape = \"square\", pause = \"90 s\", usual = { size = 0.5, tool = \"hammer\", every = 3 }, extra = { "
+        "size = 2.0, tool = \"saw\", every = 3 }, part = [{ size = 0.5, label = \"first\", tool = \"hammer\", every = "
+        "3 "
+        "}, { size = 0.5, tool = \"hammer\", every = 7 }], saw = { every = 9 }, spare = { type = \"saw\", every = 4 }, "
+        "corner = { x = 0.0, y = -2.0 }, edge = 0.1 }");
     CHECK(toml_value({table_of(static_cast<const Outer&>(read(written))), {}}) == toml_value({written, {}}));
 }
 
 TEST_CASE("what a table leaves out has the default of its member") {
-    const auto outer = read({entry("shape", 2, std::string("square")), entry("edge", 3, 4.0)});
+    const auto outer = read({entry_at("shape", 2, std::string("square")), entry_at("edge", 3, 4.0)});
     CHECK(outer.edge == 4.0);
     CHECK(outer.radius == 0.0);
     CHECK(outer.pause.seconds == 120.0);
@@ -184,8 +192,8 @@ TEST_CASE("what a table leaves out has the default of its member") {
 }
 
 TEST_CASE("places are asked by member") {
-    const auto outer = read({entry("shape", 2, std::string("circle")), entry("radius", 3, 1.5),
-                             entry("extra", 4, Table{entry("every", 5, std::int64_t{2})})});
+    const auto outer = read({entry_at("shape", 2, std::string("circle")), entry_at("radius", 3, 1.5),
+                             entry_at("extra", 4, Table{entry_at("every", 5, std::int64_t{2})})});
     CHECK(outer.key(&Outer::radius) == "radius");
     CHECK(outer.key(&Outer::parts) == "part");
     CHECK(outer.location(&Outer::radius).line == 3);
@@ -209,7 +217,8 @@ TEST_CASE("places are asked by member") {
 TEST_CASE("values that are wrong have stand-ins that are known as such") {
     Diagnostics diagnostics;
     const auto outer =
-        read({entry("shape", 2, std::string("cirle")), entry("usual", 3, Table{entry("size", 3, -1.0)})}, diagnostics);
+        read({entry_at("shape", 2, std::string("cirle")), entry_at("usual", 3, Table{entry_at("size", 3, -1.0)})},
+             diagnostics);
     CHECK(diagnostics.entries().size() == 2);
     CHECK(outer.shape == "circle");
     CHECK_FALSE(outer.sound(&Outer::shape));

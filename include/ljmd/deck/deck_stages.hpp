@@ -10,7 +10,7 @@
 namespace ljmd {
 
 /// The stages of a deck, which may still have mistakes: a value that validation has found wrong is a stand-in, and a
-/// thermostat or barostat whose type is wrong is left out.
+/// thermostat or barostat with a wrong value is left out, and a barostat beside such a thermostat.
 [[nodiscard]] std::vector<Stage> stages_of(const FluidTables& tables);
 [[nodiscard]] std::vector<Stage> stages_of(const FewBodyTables& tables);
 

@@ -82,6 +82,12 @@ class Placed : public Options {
         return section_.section(key(member));
     }
 
+    /// Whether all values in the table of a key are valid; true if it is absent.
+    template <class Member, class Owner>
+    [[nodiscard]] bool all_sound_in(Member Owner::*member) const {
+        return absent(member) || (given(member) && inner(member).all_sound());
+    }
+
     /// Place of the name of a plug-in that is chosen in a table of its own, see TableDescription::plugin_table().
     template <class Owner>
     [[nodiscard]] Location location_of_type(std::optional<Choice> Owner::*member) const {

@@ -29,6 +29,9 @@ class Hdf5MemoryFile {
     /// @pre  the file was flushed, then closed
     [[nodiscard]] std::string take_bytes();
 
+    /// Leave the file open. HDF5 closes it, and uses what this holds, when the program ends.
+    void abandon() { static_cast<void>(image_.release()); }
+
   private:
     struct Image;
     struct Free {

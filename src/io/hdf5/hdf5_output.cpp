@@ -1,6 +1,7 @@
 #include "hdf5_output.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <xxhash.h>
 
@@ -29,9 +30,28 @@ std::string padded(const std::vector<std::string>& texts, std::size_t length) {
     return block;
 }
 
+/// From now on HDF5 writes into memory what it writes to the file, which stays as it is. It closes the file when the
+/// program ends, and crashes if it cannot write then (seen with 1.10.8 and a full disk).
+void let_go(hid_t file) {
+    void* descriptor = nullptr;
+    if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0) {
+        return;
+    }
+    const int memory = ::memfd_create("ljmd", MFD_CLOEXEC);
+    if (memory >= 0) {
+        ::dup2(memory, *static_cast<int*>(descriptor));
+        ::close(memory);
+    }
+}
+
 }  // namespace
 
 void Hdf5Output::abandon() {
+    if (is_on_disk_ && file_) {
+        let_go(file_.get());
+    } else if (file_) {
+        memory_.abandon();
+    }
     for (Hdf5Handle& dataset : datasets_) {
         dataset.abandon();
     }

@@ -7,7 +7,6 @@
 
 #include "compare/small_fluid.hpp"
 #include "ljmd/compare/openmm.hpp"
-#include "ljmd/integrators/integrator.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
