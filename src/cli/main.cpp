@@ -21,6 +21,7 @@
 #include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/input/reduced_number.hpp"
+#include "ljmd/io/hdf5/hdf5_exit.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/options/registry.hpp"
 #include "ljmd/study/replicas.hpp"
@@ -204,6 +205,7 @@ int print_help(const CLI::App& app, const CLI::Success& asked) try {
 int main(int argc, char** argv) {
     ljmd::forget_inherited_signals();
     ljmd::prepare_standard_streams();
+    ljmd::leave_hdf5_files_at_exit();
     CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
     app.formatter(ljmd::screen_formatter());
     app.require_subcommand(1);

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "ljmd/io/hdf5/hdf5_exit.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -26,6 +28,10 @@ herr_t keep_first_cause(unsigned, const H5E_error2_t* error, void* data) {
 }
 
 }  // namespace
+
+void leave_hdf5_files_at_exit() {
+    H5dont_atexit();
+}
 
 std::string hdf5_error_text() {
     std::string text;

@@ -15,8 +15,8 @@ inline constexpr std::size_t hdf5_file_memory = std::size_t{4} << 20;
 /// Owns one identifier of the HDF5 C API and closes it with the function that belongs to its kind.
 ///
 /// HDF5 cannot close a file after a failed write: it crashes, at once or when it tries again at the exit of the program
-/// (seen with 1.10.8 and a full disk). Abandon such handles, and let the program's exit find a file that it can close,
-/// see Hdf5Output.
+/// (seen with 1.10.8 and a full disk). Abandon such handles. Hdf5Output lets HDF5 close what it abandons without the
+/// disk; where memory cannot be written either (a limit on the size of files), leave_hdf5_files_at_exit() is what helps.
 class Hdf5Handle {
   public:
     using Closer = herr_t (*)(hid_t);
