@@ -11,6 +11,7 @@ import numpy as np
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
+from .reading.files import is_there
 from .reading.tables import read_numbers
 
 PROGRAMS = ("openmm", "lammps", "gsl")
@@ -152,7 +153,7 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
         tables = {}
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"
-            if program in PROGRAMS and path.exists():
+            if program in PROGRAMS and is_there(path):
                 tables[name] = read_numbers(path)
     data = json.loads(text)
     data.update(deck=deck.title, **{"with": program})

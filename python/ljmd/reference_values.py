@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import DataError, Error, InputError
-from .reading.files import field, read_json
+from .reading.files import field, is_there, read_json
 from .reading.tables import read_numbers
 
 
@@ -64,7 +64,7 @@ class Reference(NamedTables):
     def open(cls, directory) -> "Reference":
         """See `ljmd.open`. Raises DataError where the errors asked for have not been reached yet."""
         directory = _check.directory_of(directory)
-        if not (directory / "results.json").exists():
+        if not is_there(directory / "results.json"):
             raise DataError(f"{directory}: the reference values have not been found yet; the same ljmd.reference(...) with this "
                             "directory goes on")
         return cls(read_json(directory / "results.json"), _tables_in(directory), directory)
@@ -102,7 +102,7 @@ class Reference(NamedTables):
 
 
 def _tables_in(directory: pathlib.Path) -> dict:
-    return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if (directory / f"{name}.csv").exists()}
+    return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if is_there(directory / f"{name}.csv")}
 
 
 def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties=(), errors=None, atoms=None,

@@ -15,6 +15,7 @@ from collections.abc import Mapping, Sequence
 from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
+from .reading.files import is_there
 from .reading.sweeps import read_request
 from .results import Run
 
@@ -33,7 +34,7 @@ class Point:
     @property
     def begun(self) -> bool:
         """Whether it has a run, which may be unfinished."""
-        return (self.directory / "run.json").exists()
+        return is_there(self.directory / "run.json")
 
     @property
     def run(self) -> Run:
