@@ -52,9 +52,9 @@ class Results(Mapping):
 
     def __getitem__(self, name: str) -> Observable:
         observables = self._observables
-        if name not in observables:
-            near = difflib.get_close_matches(str(name), observables, 1)
-            raise KeyError(f"no observable {name!r}; " + (f"did you mean {near[0]!r}?" if near else
+        if not isinstance(name, str) or name not in observables:
+            near = difflib.get_close_matches(name, observables, 1) if isinstance(name, str) else []
+            raise KeyError(f"no observable {_check.shown(name)}; " + (f"did you mean {near[0]!r}?" if near else
                                                           f"there are {', '.join(observables) or 'none'}"))
         return entries.observable(self._file, name, observables[name])
 
@@ -74,9 +74,9 @@ class Results(Mapping):
 
         Without a name: that of the one analysis that was asked for. Raises KeyError naming all.
         """
-        name = name or self._main
-        if name not in self._tables:
-            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        name = self._main if name is None else name
+        if not isinstance(name, str) or name not in self._tables:
+            raise KeyError(f"no table {_check.shown(name)}; there are {', '.join(self._tables) or 'none'}")
         return as_table(*self._tables[name])
 
     def _heading(self) -> str:
