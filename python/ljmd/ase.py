@@ -174,6 +174,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
     is known. Raises InputError for few bodies, which have no box, and DataError for a run in memory, which keeps no configuration.
     """
     sigma, epsilon, mass = _check.positive(sigma, "sigma"), _check.positive(epsilon, "epsilon"), _check.positive(mass, "mass")
+    frame = _check.whole(frame, "frame", -(2**63))
     velocities: Any
     time: float | None
     if isinstance(what, Run):

@@ -268,6 +268,7 @@ class Conversions(Case):
         frames = deck.run(self.folder / "frames", progress=False).trajectory()
         for frame in (4, -5, 1.5, [0]):
             self.assertRaisesText(ljmd.InputError, "frame: ", of=lambda frame=frame: ljmd.ase.to_atoms(frames, frame=frame))
+        self.assertRaisesText(ljmd.InputError, "frame: ", of=lambda: ljmd.ase.to_atoms(liquid(), frame={}))
         self.assertRaises(ljmd.InputError, ljmd.ase.to_atoms, liquid(), sigma=-1)
         atoms = crystal()
         to_deck = lambda: ljmd.ase.to_deck(atoms, self.folder / "a.xyz", **ARGON, cutoff=7.9)  # noqa: E731
