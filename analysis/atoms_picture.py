@@ -10,7 +10,7 @@ import numpy as np
 import spheres
 import style
 from ljmd.reading import records, trajectories
-from ljmd.reading.files import damaged, field
+from ljmd.reading.files import damaged, field, is_there
 from ljmd.reading.records import Record
 from ljmd.reading.trajectories import Trajectory
 from matplotlib.collections import LineCollection
@@ -95,7 +95,7 @@ class AtomsView:
 
 def last_configuration(directory: Path) -> Optional[Path]:
     """The file with the last configuration of a run, or the one at which it failed; None without one."""
-    return next((path for path in (directory / "failed.xyz", directory / "final.xyz") if path.exists()), None)
+    return next((path for path in (directory / "failed.xyz", directory / "final.xyz") if is_there(path)), None)
 
 
 def plot_atoms(directory: Path, path: Path) -> plt.Figure:

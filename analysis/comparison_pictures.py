@@ -19,6 +19,7 @@ import numpy as np
 import style
 from ljmd.reading import comparisons
 from ljmd.reading.comparisons import RDF_COLUMNS, Check, FluidComparison
+from ljmd.reading.files import is_there
 from ljmd.reading.tables import Table
 from style import plt
 
@@ -203,10 +204,10 @@ def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
     """What draws each comparison in a directory, by its name."""
     figures: dict[str, Callable[[], plt.Figure]] = {}
     for name in ("openmm", "lammps"):
-        if (directory / f"compare-{name}.json").exists():
+        if is_there(directory / f"compare-{name}.json"):
             figures[f"compare-{name}"] = partial(lambda name: plot(comparisons.load(directory, name)), name)
-    if (directory / "judge.json").exists():
+    if is_there(directory / "judge.json"):
         figures["judge"] = lambda: plot(comparisons.load_judgement(directory))
-    if (directory / "compare-gsl.json").exists():
+    if is_there(directory / "compare-gsl.json"):
         figures["compare-gsl"] = partial(draw_gsl, directory)
     return figures

@@ -17,7 +17,7 @@ import numpy as np
 import structure_pictures
 import style
 from ljmd.reading import fluids
-from ljmd.reading.files import damaged
+from ljmd.reading.files import damaged, is_there
 from ljmd.reading.fluids import FluidRun
 from ljmd.reading.stages import Stage
 from ljmd.reading.tables import Table
@@ -245,6 +245,6 @@ def pictures(path: Path) -> dict[str, Callable[[], plt.Figure]]:
 def pictures_of_tables(run: FluidRun) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the tables of a run, or of `ljmd analyze`, by name."""
     path = run.path / "rdf.csv"
-    table = read_rdf(path) if path.exists() else None
+    table = read_rdf(path) if is_there(path) else None
     figures = {} if table is None else {"rdf": partial(plot_rdf, run, table)}
     return figures | structure_pictures.pictures(run)

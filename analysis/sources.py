@@ -17,7 +17,7 @@ import sweep_pictures
 import table_pictures
 from ljmd.errors import InputError
 from ljmd.reading import fluids, records
-from ljmd.reading.files import damaged
+from ljmd.reading.files import damaged, is_there
 from ljmd.reading.tables import header_of
 from style import plt
 
@@ -51,7 +51,7 @@ def recognize(path: Path, choice: Choice) -> Source:
     Raises InputError when there is nothing at `path` or an option does not suit it, DataError when nothing there is of
     ljmd, or a file is missing or damaged.
     """
-    if not path.exists():
+    if not is_there(path):
         raise InputError(f"{path}: no such file or directory")
     source = of_directory(path, choice) if path.is_dir() else of_file(path, choice)
     for option, value, kind in (("--against", choice.against, "sweep"), ("--relative-to", choice.relative_to, "few-body")):
@@ -63,18 +63,18 @@ def recognize(path: Path, choice: Choice) -> Source:
 
 
 def of_directory(path: Path, choice: Choice) -> Source:
-    if (path / "sweep.json").exists():
+    if is_there(path / "sweep.json"):
         pictures = sweep_pictures.pictures(path, choice.against)
         return Source("sweep", pictures, sweep_pictures.usual(list(pictures)), path)
-    if (path / "run.json").exists():
+    if is_there(path / "run.json"):
         kind = records.read(path).kind
         pictures = (fluid_pictures.pictures(path) if kind == "fluid" else
                     few_body_pictures.pictures(path, choice.relative_to or 1))
-    elif (path / "judge.json").exists() or any(path.glob("compare-*.json")):
+    elif is_there(path / "judge.json") or any(path.glob("compare-*.json")):
         kind, pictures = "comparison", comparison_pictures.pictures(path)
-    elif (path / "isotherms.csv").exists() or (path / "rows").is_dir():
+    elif is_there(path / "isotherms.csv") or (path / "rows").is_dir():
         kind, pictures = "reproduction", reproduction_pictures.pictures(path)
-    elif any((path / f"{name}.csv").exists() for name in ("rdf", *structure_pictures.PICTURES)):
+    elif any(is_there(path / f"{name}.csv") for name in ("rdf", *structure_pictures.PICTURES)):
         kind, pictures = "analysis", fluid_pictures.pictures_of_tables(fluids.tables_of_analysis(path))
     else:
         tables = sorted(path.glob("*.csv"))
@@ -91,15 +91,15 @@ def of_file(path: Path, choice: Choice) -> Source:
     comparison = COMPARISONS.fullmatch(path.name)
     if path.name == "judge.json":
         return narrowed(of_comparisons(folder), ["judge"])
-    if path.name in ("sweep.csv", "sweep.json") and (folder / "sweep.json").exists():
+    if path.name in ("sweep.csv", "sweep.json") and is_there(folder / "sweep.json"):
         return of_directory(folder, choice)
     if path.name in ("run.json", "results.json", "results.txt", "rows.csv", "isotherms.csv"):
         return of_directory(folder, choice)
-    if comparison and (folder / f"compare-{comparison[1]}.json").exists():
+    if comparison and is_there(folder / f"compare-{comparison[1]}.json"):
         return narrowed(of_comparisons(folder), [f"compare-{comparison[1]}"])
     if path.suffix != ".csv":
         raise damaged(path, "is no table of ljmd (.csv), nor part of a run, a sweep, a reproduced table or a comparison")
-    if (folder / "run.json").exists():
+    if is_there(folder / "run.json"):
         names = OF_RUN[records.read(folder).kind].get(path.stem)
         if names:
             return narrowed(of_directory(folder, choice), names)
@@ -120,7 +120,7 @@ def narrowed(source: Source, names: list[str]) -> Source:
 def of_table(path: Path) -> Source:
     """A table with the columns of g(r), S(k) and so on, whatever its name is; else each column."""
     folder = path.parent
-    in_run = (folder / "run.json").exists() and records.read(folder).kind == "fluid"
+    in_run = is_there(folder / "run.json") and records.read(folder).kind == "fluid"
     run = fluids.load(folder) if in_run else fluids.tables_of_analysis(folder, path.stem)
     header = header_of(path)
     if set(fluid_pictures.RDF_COLUMNS) <= set(header):

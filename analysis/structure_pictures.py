@@ -13,7 +13,7 @@ from typing import Callable, Optional, Sequence
 
 import numpy as np
 import style
-from ljmd.reading.files import damaged
+from ljmd.reading.files import damaged, is_there
 from ljmd.reading.fluids import FluidRun
 from ljmd.reading.tables import Table, read_table
 from style import plt
@@ -47,7 +47,7 @@ def structure_factor(run: FluidRun, table: Table) -> plt.Figure:
     axes.axhline(1.0, color=style.GREY, linewidth=0.8, linestyle="--")
     k, s = table["k"], table["S"]
     path = run.path / "sk_from_rdf.csv"
-    if path.exists():
+    if is_there(path):
         other = read_table(path, ("k", "S"), increasing=("k",))
         near = other["k"] <= k[-1]
         axes.plot(other["k"][near], other["S"][near], color=style.ORANGE, linewidth=1.0, label="from g(r)")
@@ -247,7 +247,7 @@ def pictures(run: FluidRun) -> dict[str, Callable[[], plt.Figure]]:
     figures: dict[str, Callable[[], plt.Figure]] = {}
     for name, (first, others, draw) in PICTURES.items():
         path = run.path / f"{name}.csv"
-        table = read(path, first, others) if path.exists() else None
+        table = read(path, first, others) if is_there(path) else None
         if table is not None:
             figures[name] = partial(draw, run, table)
     return figures

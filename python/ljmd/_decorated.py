@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ._check import text
+from ._check import shown, text
 from .errors import InputError
 
 
@@ -27,7 +27,7 @@ class Decorated:
         if self.function is not None:
             return self.function(argument)
         if not callable(argument):
-            raise InputError(f"{self._kind} is a function of {self._argument}, found {argument!r}")
+            raise InputError(f"{self._kind} is a function of {self._argument}, found {shown(argument)}")
         self.function = argument
         self.name = self.name or getattr(argument, "__name__", "").replace("<lambda>", "") or self._usual_name
         self.__doc__ = argument.__doc__

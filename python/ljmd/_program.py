@@ -82,9 +82,14 @@ def call(arguments, *, told=None, allowed=(0,), note: str = "", stop=signal.SIGU
     The interpreter is free meanwhile. Raises the error of ljmd that belongs to the exit code, with the program's text.
     """
     _require_one_process()
-    words = [_check.text(str(argument), "an argument") for argument in arguments]
-    if any("\0" in word for word in words):
-        raise InputError("a text for the program `ljmd` has the character NUL in it")
+    words = [str(argument) for argument in arguments]
+    for word in words:
+        if "\0" in word:
+            raise InputError("a text for the program `ljmd` has the character NUL in it")
+        try:
+            os.fsencode(word)  # names of files are bytes, which need not be UTF-8
+        except UnicodeEncodeError:
+            raise InputError(f"{_check.shown(word)} cannot be given to the program `ljmd`: half of a surrogate pair is no character") from None
     with subprocess.Popen([program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True, encoding="utf-8", errors="replace", env=_environment()) as process:
         assert process.stdout is not None and process.stderr is not None

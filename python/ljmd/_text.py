@@ -7,6 +7,8 @@ import math
 
 import numpy as np
 
+from ._check import shown
+
 
 def with_error(mean: float, error: float) -> str:
     """'-6.0871 ± 0.0012': the error with two digits, the mean with as many decimals."""
@@ -45,8 +47,8 @@ class NamedTables:
 
     def table(self, name: str):
         """The table of that name, see `tables`. Raises KeyError naming all."""
-        if name not in self._tables:
-            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        if not isinstance(name, str) or name not in self._tables:
+            raise KeyError(f"no table {shown(name)}; there are {', '.join(self._tables) or 'none'}")
         return as_table(*self._tables[name])
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from ase import Atoms
 from ase.calculators.calculator import Calculator as _AseCalculator
 from ase.calculators.calculator import all_changes
+from ase.data import atomic_numbers
 
 from . import _check, _core, _output
 from .deck import Deck
@@ -42,8 +43,14 @@ def units(substance: dict = ARGON) -> tuple:
     return found
 
 
+def _require_atoms(atoms) -> None:
+    if not isinstance(atoms, Atoms):
+        raise InputError(f"atoms: {_check.shown(atoms)} are no ase.Atoms")
+
+
 def _edges(atoms) -> np.ndarray:
     """Edges of the box [angstrom]. Raises InputError for atoms that ljmd cannot move."""
+    _require_atoms(atoms)
     if len(atoms) == 0:
         raise InputError("there are no atoms")
     kinds = sorted(set(atoms.get_chemical_symbols()))
@@ -87,18 +94,19 @@ class Calculator(_AseCalculator):
                           "tail": False, "potential": "lennard-jones", "parameters_of_potential": {}, "threads": None,
                           "simd": None, "precision": "double"}
     nolabel = True
+    _evaluator: Evaluator | None = None
 
     def __init__(self, sigma: float = 1.0, epsilon: float = 1.0, cutoff: float | None = None, truncation: str = "shifted", *,
                  switch_start: float | None = None, tail: bool = False, potential="lennard-jones",
                  threads: int | None = None, simd: str | None = None, precision: str = "double", atoms=None, **parameters):
-        self._evaluator: Evaluator | None = None
+        if atoms is not None:
+            _require_atoms(atoms)
         super().__init__(atoms=atoms, sigma=sigma, epsilon=epsilon, cutoff=cutoff, truncation=truncation,
                          switch_start=switch_start, tail=tail, potential=potential, threads=threads, simd=simd,
                          precision=precision, parameters_of_potential=parameters)
-        self._evaluator = self._made()
 
-    def _made(self) -> Evaluator:
-        p = self.parameters
+    @staticmethod
+    def _made(p) -> Evaluator:
         sigma = _check.positive(p["sigma"], "sigma")
         _check.positive(p["epsilon"], "epsilon")
         options = {key: p[key] for key in ("threads", "simd", "precision")}
@@ -108,7 +116,7 @@ class Calculator(_AseCalculator):
             return Evaluator(p["potential"], **options)
         cutoff = 3 * sigma if p["cutoff"] is None else _check.positive(p["cutoff"], "cutoff")
         table: Any = {"type": p["potential"], "truncation": p["truncation"], "tail": p["tail"], "cutoff": cutoff / sigma,
-                      **p["parameters_of_potential"]}
+                      **_check.table(p["parameters_of_potential"], "parameters_of_potential")}
         if p["switch_start"] is not None:
             table["switch_start"] = _check.positive(p["switch_start"], "switch_start") / sigma
         return Evaluator(table, **options)
@@ -118,10 +126,11 @@ class Calculator(_AseCalculator):
         unknown = set(changes) - set(self.default_parameters)
         if unknown:
             raise InputError(f"no parameter {', '.join(sorted(unknown))}; there are {', '.join(self.default_parameters)}")
+        evaluator = self._made({**self.parameters, **changes})  # before ASE compares values, which takes those of any kind
         changed = super().set(**changes)
-        if changed and self._evaluator is not None:
+        if changed or self._evaluator is None:
             self.reset()
-            self._evaluator = self._made()
+            self._evaluator = evaluator
         return changed
 
     def calculate(self, atoms=None, properties=None, system_changes=all_changes):
@@ -143,6 +152,8 @@ class Calculator(_AseCalculator):
 
 
 def _atoms_of(positions, velocities, edges, masses, sigma, epsilon, mass, symbol, info) -> Atoms:
+    if _check.text(symbol, "symbol") not in atomic_numbers:
+        raise InputError(f"symbol: {_check.shown(symbol)} is that of no element")
     atoms = Atoms([symbol] * len(positions), positions=positions * sigma, cell=np.asarray(edges) * sigma, pbc=True, info=info)
     atoms.set_masses(masses * mass)
     if velocities is not None:
@@ -163,6 +174,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
     is known. Raises InputError for few bodies, which have no box, and DataError for a run in memory, which keeps no configuration.
     """
     sigma, epsilon, mass = _check.positive(sigma, "sigma"), _check.positive(epsilon, "epsilon"), _check.positive(mass, "mass")
+    frame = _check.whole(frame, "frame", -(2**63))
     velocities: Any
     time: float | None
     if isinstance(what, Run):
@@ -171,6 +183,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
         positions, velocities, edges, time = _core.last_configuration(what.directory)
     elif isinstance(what, Trajectory):
         arrays = what.arrays()
+        frame = _check.whole(frame, "frame", -len(arrays), len(arrays) - 1)
         positions, edges = arrays.positions[frame], arrays.edges[frame]
         velocities = None if arrays.velocities is None else arrays.velocities[frame]
         time = None if arrays.times is None else float(arrays.times[frame])
@@ -179,7 +192,7 @@ def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0,
             raise InputError("few bodies have no box: they are no atoms of a fluid")
         positions, velocities, edges, time = what.unwrapped, what.velocities, what.edges, what.time
     else:
-        raise InputError(f"a simulation, a snapshot, a run or a trajectory is needed, found {type(what).__name__}")
+        raise InputError(f"what: a simulation, a snapshot, a run or a trajectory is needed, found {type(what).__name__}")
     info = {} if time is None else {"time": time}
     return _atoms_of(positions, velocities, edges, np.ones(len(positions)), sigma, epsilon, mass, symbol, info)
 
@@ -220,7 +233,7 @@ def _written(file, positions, velocities, edges, force) -> str:
     """Write a configuration as extended XYZ in reduced units, with all digits. Returns its path."""
     if not np.isfinite(positions).all() or (velocities is not None and not np.isfinite(velocities).all()):
         raise InputError("positions and velocities must be finite")
-    path = _check.directory_of(file)
+    path = _check.directory_of(file, "file")
     columns = "species:S:1:pos:R:3" + ("" if velocities is None else ":velo:R:3") + ":id:I:1"
     lines = [str(len(positions)),
              f'Lattice="{edges[0]!r} 0 0 0 {edges[1]!r} 0 0 0 {edges[2]!r}" Properties={columns} pbc="T T T" units=reduced {_MARK}']

@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import pathlib
 import tempfile
+from collections.abc import Iterable
 
 import numpy as np
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
+from .reading.files import is_there
 from .reading.tables import read_numbers
 
 PROGRAMS = ("openmm", "lammps", "gsl")
@@ -116,20 +118,24 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
     """See `Deck.compare`."""
     if program is None:
         program = "gsl" if "force" in deck._tables else "openmm"
+    program = _check.text(program, "program")
     if program not in PROGRAMS and not program.startswith(ENGINES):
-        raise InputError(f"unknown program {program!r} to compare with; there are {', '.join(PROGRAMS)}, "
+        raise InputError(f"unknown program {_check.shown(program)} to compare with; there are {', '.join(PROGRAMS)}, "
                          "command:./engine {input} {output}, files:DIR")
-    options = ["--with", program]
+    options = [f"--with={program}"]  # one word: a value is no option, whatever it begins with
     if parts is not None:
-        options += ["--parts", ",".join([parts] if isinstance(parts, str) else parts)]
+        names = [parts] if isinstance(parts, str) else _check.listed(parts, "parts")
+        options.append("--parts=" + ",".join(_check.text(each, "parts") for each in names))
     if frames is not None:
-        options += ["--frames", ",".join(str(_check.whole(frame, "frames", 1)) for frame in np.atleast_1d(frames).tolist())]
+        one = not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0
+        options.append("--frames=" + ",".join(str(_check.whole(each, "frames", 1))
+                                              for each in ([frames] if one else _check.listed(frames, "frames"))))
     if steps is not None:
-        options += ["--steps", str(_check.whole(steps, "steps", 0))]
+        options.append(f"--steps={_check.whole(steps, 'steps', 0)}")
     if threads is not None:
-        options += ["--threads", str(_check.whole(threads, "threads", 1))]
-    options += [word for name, value in (("--platform", platform), ("--simd", simd), ("--precision", precision), ("--timeout", timeout))
-                if value is not None for word in (name, str(value))]
+        options.append(f"--threads={_check.whole(threads, 'threads', 1)}")
+    options += [f"--{name}={_check.text(value, name)}" for name, value in (("platform", platform), ("simd", simd), ("precision", precision),
+                                                                         ("timeout", timeout)) if value is not None]
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         out = pathlib.Path(folder) / "found" if directory is None else _check.directory_of(directory)
         deck_file, settings = deck._in_file(pathlib.Path(folder))
@@ -152,7 +158,7 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
         tables = {}
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"
-            if program in PROGRAMS and path.exists():
+            if program in PROGRAMS and is_there(path):
                 tables[name] = read_numbers(path)
     data = json.loads(text)
     data.update(deck=deck.title, **{"with": program})

@@ -22,6 +22,7 @@ _Kind = TypeVar("_Kind")
 
 
 _Assigned = Mapping[str, Any]
+_ATTRIBUTES = {"argon": "substance"}  # of a deck, by the key
 _TABLES = frozenset(("system", "potential", "neighbors", "performance", "output", "argon", "force"))
 
 
@@ -67,7 +68,7 @@ class Deck:
 
     @classmethod
     def _read(cls, name, text, changes):
-        settings = [f"{_check.text(key, 'set')}={_toml.literal(value)}" for key, value in _check.table(changes, "set").items()]
+        settings = [f"{_check.text(key, 'set')}={_toml.literal(value, key)}" for key, value in _check.table(changes, "set").items()]
         deck = cls(_core.parse(name, text, settings))
         deck._origin = (name, text, settings, deck._written())
         return deck
@@ -113,14 +114,16 @@ class Deck:
 
     def _put(self, name, value) -> None:
         if name in _TABLES and not isinstance(value, (Mapping, type(None))):
-            raise InputError(f"{name}: {value!r:.60}: a table is needed, {{...}}")
+            raise InputError(f"{_ATTRIBUTES.get(name, name)}: {_check.shown(value)}: a table is needed, {{...}}")
         if name == "title" and value is not None:
             value = _check.text(value, name)
-        elif name == "stage":
+        elif name == "stage" and value is not None:
+            if not isinstance(value, (list, tuple)) or not all(isinstance(stage, Mapping) for stage in value):
+                raise InputError("stages: a list of ljmd.Stage is needed")
             value = [stage if isinstance(stage, Stage) else stage_of(stage) for stage in value]
         elif name == "analysis" and value is not None:
             if not (isinstance(value, Mapping) and all(isinstance(options, Mapping) for options in value.values())):
-                raise InputError(f"analysis: {value!r:.60}: a table with the options of each analysis is needed, " + '{"rdf": {"bins": 200}}')
+                raise InputError(f"analysis: {_check.shown(value)}: a table with the options of each analysis is needed, " + '{"rdf": {"bins": 200}}')
             value = Analyses({key: Table(options) for key, options in value.items()})
         elif isinstance(value, dict):
             value = Table({key: Table(each) if isinstance(each, dict) else each for key, each in value.items()})
@@ -148,12 +151,7 @@ class Deck:
         return self._tables.setdefault("stage", [])
 
     def _give_stages(self, stages: Stage | Iterable[_Assigned]) -> None:
-        if isinstance(stages, Stage):
-            stages = [stages]
-        given = [stages] if isinstance(stages, Mapping) else _check.listed(stages, "stages")
-        if not all(isinstance(stage, dict) for stage in given):
-            raise InputError("stages: a list of ljmd.Stage is needed")
-        self._put("stage", given)
+        self._put("stage", [stages] if isinstance(stages, Mapping) else _check.listed(stages, "stages"))
 
     stages = Attribute(_get_stages, _give_stages)
 
@@ -191,17 +189,20 @@ class Deck:
     def set(self, key: str, value) -> "Deck":
         """Replace one value as `--set key=value` does: deck.set("stage.production.steps", 500)."""
         name, text, settings = self._source()
-        settings = [*settings, f"{_check.text(key, 'key')}={_toml.literal(value)}"]
+        settings = [*settings, f"{_check.text(key, 'key')}={_toml.literal(value, key)}"]
         changed = type(self)(_core.parse(name, text, settings))
         self._tables, self._origin = changed._tables, (name, text, settings, changed._written())
         return self
 
     def copy(self) -> "Deck":
         """A deck that can be changed without changing this one."""
-        return copy.deepcopy(self)
+        return self.__copy__()
 
     def __copy__(self):
-        return copy.deepcopy(self)
+        try:
+            return copy.deepcopy(self)
+        except RecursionError:
+            raise InputError("the deck holds lists or tables that are too deep within one another") from None
 
     def __eq__(self, other):
         return isinstance(other, Deck) and (self.text, self._pair) == (other.text, other._pair)
@@ -240,7 +241,7 @@ class Deck:
         """
         if self._pair is not None:
             raise InputError("a pair potential in Python cannot be written to a deck")
-        _output.write_text(_check.directory_of(path), self.text, force=_check.truth(force, "force"))
+        _output.write_text(_check.directory_of(path, "path"), self.text, force=_check.truth(force, "force"))
 
     def _require_stages(self) -> None:
         if self._tables and not self._tables.get("stage"):

@@ -66,8 +66,7 @@ def _given(values, name: str):
     """An array of finite numbers above 0, for a density also 0; None: not given."""
     if values is None:
         return None
-    _check.not_masked(values, name)
-    found = np.asarray(values, dtype=object)
+    found = _check.array_of(values, name, object)
     if found.size == 0:
         raise InputError(f"{name}: the array is empty, there is no state to compute")
     for value in found.flat:

@@ -58,7 +58,7 @@ class Evaluator:
     def __init__(self, potential: PotentialTable | Pair | None = None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
                  precision: str = "double"):
         if potential is not None and not isinstance(potential, (dict, Pair)):
-            raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
+            raise InputError(f"potential: {_check.shown(potential)} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
         self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **_check.table(potential, "potential")}
         self._options = (_check.number(skin, "skin"), _check.threads_of(threads), _check.simd_of(simd),
                          _check.text(precision, "precision"))
@@ -114,7 +114,7 @@ def edges_of(edges) -> tuple:
     """Three edges from one number or three."""
     found = _check.real_array(edges, "edges")
     if found.shape not in ((), (1,), (3,)):
-        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box")
+        raise InputError(f"edges: {_check.shown(edges)}: one number or three are needed, those of the box")
     return tuple(float(edge) for edge in np.broadcast_to(found, 3))
 
 

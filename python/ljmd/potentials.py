@@ -19,10 +19,16 @@ class Pair:
     """
 
     def __init__(self, name, first, cutoff, energies, truncation, switch_start, error, force_error):
-        self.name, self.cutoff, self.truncation = name, cutoff, truncation
-        self.switch_start, self.error, self.force_error = switch_start, error, force_error
+        self.name, self.truncation = _check.text(name, "name"), _check.text(truncation, "truncation")
+        first, self.cutoff = _check.number(first, "first", 0.0), _check.positive(cutoff, "cutoff")
+        self.switch_start = None if switch_start is None else _check.positive(switch_start, "switch_start")
+        self.error, self.force_error = _check.number(error, "error", 0.0), _check.number(force_error, "force_error", 0.0)
+        energies = _check.real_array(energies, "energies")
+        if energies.ndim != 1:
+            raise InputError(f"energies: shape {energies.shape}, one dimension is needed")
         self._table = (first, energies)
-        self._core = _core.Pair(name, first, cutoff, energies, truncation, switch_start or 0.0, error, force_error)
+        self._core = _core.Pair(self.name, first, self.cutoff, energies, self.truncation, self.switch_start or 0.0, self.error,
+                                self.force_error)
 
     def __reduce__(self):
         first, energies = self._table
@@ -32,7 +38,7 @@ class Pair:
     @classmethod
     def of_run(cls, directory) -> "Pair | None":
         """The one that the run in a directory was given, from the table there; None if it was given none."""
-        found = _core.pair_of_run(directory)
+        found = _core.pair_of_run(_check.directory_of(directory))
         if found is None:
             return None
         name, first, cutoff, energies, truncation, switch_start, error, force_error = found
@@ -91,7 +97,7 @@ def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switc
         return lambda each: pair(each, cutoff=cutoff, truncation=truncation, name=name, switch_start=switch_start,
                                  start=start, error=error)
     if not callable(function):
-        raise InputError(f"a pair potential is a function u(r), found {function!r}")
+        raise InputError(f"a pair potential is a function u(r), found {_check.shown(function)}")
     name = _check.text(name, "name") or getattr(function, "__name__", "pair").replace("<lambda>", "pair")
     cutoff, error = _check.positive(cutoff, "cutoff"), _check.positive(error, "error")
     switch_start = None if switch_start is None else _check.positive(switch_start, "switch_start")
@@ -121,7 +127,7 @@ def _evaluated(function, name, r):
         try:
             u = np.broadcast_to(_check.real_array(u, name), r.shape)
         except ValueError:  # an InputError is one
-            raise InputError(f"pair potential {name!r}: of an array of {len(r)} distances it returned {u!r:.60}, not an "
+            raise InputError(f"pair potential {name!r}: of an array of {len(r)} distances it returned {_check.shown(u)}, not an "
                              "energy for each") from None
     return np.array(u)
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import DataError, Error, InputError
-from .reading.files import field, read_json
+from .reading.files import field, is_there, read_json
 from .reading.tables import read_numbers
 
 
@@ -64,15 +64,21 @@ class Reference(NamedTables):
     def open(cls, directory) -> "Reference":
         """See `ljmd.open`. Raises DataError where the errors asked for have not been reached yet."""
         directory = _check.directory_of(directory)
-        if not (directory / "results.json").exists():
+        if not is_there(directory / "results.json"):
             raise DataError(f"{directory}: the reference values have not been found yet; the same ljmd.reference(...) with this "
                             "directory goes on")
         return cls(read_json(directory / "results.json"), _tables_in(directory), directory)
 
     def __getitem__(self, name: str) -> ReferenceValue:
-        if name not in self._values:
-            raise KeyError(f"no {name!r}; there are {', '.join(self._values)}")
+        if not isinstance(name, str) or name not in self._values:
+            raise KeyError(f"no {_check.shown(name)}; there are {', '.join(self._values)}")
         return self._values[name]
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
 
     def keys(self):
         """Names of the values."""
@@ -102,7 +108,7 @@ class Reference(NamedTables):
 
 
 def _tables_in(directory: pathlib.Path) -> dict:
-    return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if (directory / f"{name}.csv").exists()}
+    return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if is_there(directory / f"{name}.csv")}
 
 
 def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties=(), errors=None, atoms=None,
@@ -127,14 +133,14 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
     names = [properties] if isinstance(properties, str) else _check.listed(properties, "properties")
     options += ["--properties", ",".join(_check.text(name, "properties") for name in names)] if names else []
     if not isinstance(errors, (Mapping, type(None))):
-        raise InputError(f"errors: {errors!r:.60}: a table of errors by name is needed, " + '{"energy": 0.002}')
+        raise InputError(f"errors: {_check.shown(errors)}: a table of errors by name is needed, " + '{"energy": 0.002}')
     if errors:
         options += ["--error", ",".join(f"{name}={_check.number(error, name)!r}" for name, error in errors.items())]
     for name, number in (("atoms", atoms), ("replicas", replicas), ("max_steps", max_steps), ("seed", seed), ("jobs", jobs)):
         options += [] if number is None else [f"--{name.replace('_', '-')}", str(_check.whole(number, name, 0))]
     options += [f"--{name}" for name, wanted in (("metastable", metastable), ("force", force)) if _check.truth(wanted, name)]
     if progress is not None and not callable(progress):
-        raise InputError(f"progress: {progress!r} cannot be called")
+        raise InputError(f"progress: {_check.shown(progress)} cannot be called")
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         out = pathlib.Path(folder) / "reference" if directory is None else _check.directory_of(directory)
         try:

@@ -8,7 +8,7 @@ import tempfile
 
 from . import _check, _program, _progress
 from .errors import DataError, Error, InputError
-from .reading.files import field, read_json
+from .reading.files import field, is_there, read_json
 from .reading.sweeps import Request, read_request
 from .results import Results, Run, _Files
 
@@ -35,10 +35,10 @@ class Replicas(Results):
             raise DataError(f"{directory} holds no replicas: it is that of a sweep")
         path = directory / "results.json"
         data = {}
-        if path.exists():
+        if is_there(path):
             data = read_json(path)
             field(path, data, "observables", dict)
-        return cls(data, _Files(directory, [each for each in ("rdf", "sk") if (directory / f"{each}.csv").exists()]), request)
+        return cls(data, _Files(directory, [each for each in ("rdf", "sk") if is_there(directory / f"{each}.csv")]), request)
 
     @property
     def _file(self) -> pathlib.Path:
@@ -47,7 +47,7 @@ class Replicas(Results):
     @property
     def runs(self) -> list:
         """Each replica that has begun, as a Run."""
-        return [Run.open(folder) for folder in self._folders if (folder / "run.json").exists()]
+        return [Run.open(folder) for folder in self._folders if is_there(folder / "run.json")]
 
     def _heading(self) -> str:
         return f"{super()._heading()}: {len(self._folders)} replicas in {self.directory}"

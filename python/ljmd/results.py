@@ -14,7 +14,7 @@ from .frames import Frames
 from .observables import described
 from .reading import observables as entries
 from .reading import records
-from .reading.files import field, read_json
+from .reading.files import field, is_there, read_json
 from .reading.observables import Observable
 from .reading.sweeps import read_request
 from .reading.tables import read_numbers
@@ -52,9 +52,9 @@ class Results(Mapping):
 
     def __getitem__(self, name: str) -> Observable:
         observables = self._observables
-        if name not in observables:
-            near = difflib.get_close_matches(str(name), observables, 1)
-            raise KeyError(f"no observable {name!r}; " + (f"did you mean {near[0]!r}?" if near else
+        if not isinstance(name, str) or name not in observables:
+            near = difflib.get_close_matches(name, observables, 1) if isinstance(name, str) else []
+            raise KeyError(f"no observable {_check.shown(name)}; " + (f"did you mean {near[0]!r}?" if near else
                                                           f"there are {', '.join(observables) or 'none'}"))
         return entries.observable(self._file, name, observables[name])
 
@@ -74,9 +74,9 @@ class Results(Mapping):
 
         Without a name: that of the one analysis that was asked for. Raises KeyError naming all.
         """
-        name = name or self._main
-        if name not in self._tables:
-            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        name = self._main if name is None else name
+        if not isinstance(name, str) or name not in self._tables:
+            raise KeyError(f"no table {_check.shown(name)}; there are {', '.join(self._tables) or 'none'}")
         return as_table(*self._tables[name])
 
     def _heading(self) -> str:
@@ -213,7 +213,7 @@ class Run(Results):
     def _has_frames(self) -> bool:
         if self.directory is None:
             return self._frames is not None
-        return any((self.directory / f"trajectory.{format}").exists() for format in ("h5md", "xyz"))
+        return any(is_there(self.directory / f"trajectory.{format}") for format in ("h5md", "xyz"))
 
     def _last_in_directory(self) -> Frames:
         from . import _core
@@ -249,8 +249,9 @@ class Run(Results):
         return f"{system.get('bodies', '')} bodies"
 
     def _potential_in_words(self) -> str:
-        potential = self._given.get("potential")
-        return f"pair potential {potential['name']!r}" if potential else ""
+        file = self._file.with_name("run.json")
+        potential = field(file, self._given, "potential", dict, default={})
+        return f"pair potential {field(file, potential, 'name', str)!r}" if potential else ""
 
     def _rows(self) -> list:
         rows = super()._rows()
@@ -261,12 +262,12 @@ class Run(Results):
     def open(cls, directory) -> "Run":
         """See `ljmd.open`."""
         directory = _check.directory_of(directory)
-        if not (directory / "run.json").exists():
+        if not is_there(directory / "run.json"):
             raise DataError(f"{directory} is not the directory of a run: it has no run.json")
         record = records.read(directory)
         results = directory / "results.json"
         data = {"title": record.title}
-        if record.finished and results.exists():
+        if record.finished and is_there(results):
             data = read_json(results)
             field(results, data, "observables", dict)
         tables = [path.stem for path in sorted(directory.glob("*.csv")) if path.stem != "thermo" and path.is_file()]
@@ -292,10 +293,10 @@ def open_run(directory):
 
     Raises DataError when it is not the directory of a run.
     """
-    if (_check.directory_of(directory) / "reference.json").exists():
+    if is_there(_check.directory_of(directory) / "reference.json"):
         from .reference_values import Reference
         return Reference.open(directory)
-    if (_check.directory_of(directory) / "sweep.json").exists():
+    if is_there(_check.directory_of(directory) / "sweep.json"):
         from .replicas import Replicas
         from .sweeps import Sweep
         return Replicas.open(directory) if read_request(_check.directory_of(directory)).replicas else Sweep.open(directory)

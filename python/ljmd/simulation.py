@@ -79,7 +79,7 @@ class Simulation:
     def __init__(self, deck, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, force: bool = False):
         from .deck import Deck
         if not isinstance(deck, Deck):
-            raise InputError(f"deck: {deck!r:.60} is no ljmd.Deck")
+            raise InputError(f"deck: {_check.shown(deck)} is no ljmd.Deck")
         self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), _check.simd_of(simd),
                                       described(observables), described_force(external), _check.warn)
         self._title = deck.title

@@ -15,10 +15,12 @@ from collections.abc import Mapping, Sequence
 from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
+from .reading.files import is_there
 from .reading.sweeps import read_request
 from .results import Run
 
 _PLAIN = re.compile(r"(?!(?:true|false|inf|nan)$)[A-Za-z][A-Za-z0-9_.-]*$")
+_MOST_POINTS = 10_000  # as of the program
 
 
 class Point:
@@ -33,7 +35,7 @@ class Point:
     @property
     def begun(self) -> bool:
         """Whether it has a run, which may be unfinished."""
-        return (self.directory / "run.json").exists()
+        return is_there(self.directory / "run.json")
 
     @property
     def run(self) -> Run:
@@ -153,9 +155,9 @@ def _value(text: str):
     return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text
 
 
-def _setting(value) -> str:
-    """A value as --set takes it."""
-    return value if isinstance(value, str) and _PLAIN.match(value) else _toml.literal(value)
+def _setting(value, key: str) -> str:
+    """A value of a key as --set takes it."""
+    return value if isinstance(value, str) and _PLAIN.match(value) else _toml.literal(value, key)
 
 
 def _points_of(points) -> tuple:
@@ -164,7 +166,9 @@ def _points_of(points) -> tuple:
         keys = list(points)
         lists = []
         for key in keys:
-            lists.append(_check.listed(points[key], f"sweep: the values of {key!r}"))
+            lists.append(_check.listed(points[key], f"sweep: the values of {_check.shown(key)}"))
+        if math.prod(map(len, lists)) > _MOST_POINTS:
+            raise InputError(f"sweep: {math.prod(map(len, lists))} points; at most {_MOST_POINTS} are allowed")
         rows = list(itertools.product(*lists))
     else:
         points = _check.listed(points, "points")
@@ -197,7 +201,7 @@ def sweep(deck, points, *, jobs=None, directory=None, progress=True, force: bool
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         listed = pathlib.Path(folder) / "points.csv"
         with open(listed, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([keys, *([_setting(value) for value in row] for row in rows)])
+            csv.writer(file).writerows([keys, *([_setting(value, key) for value, key in zip(row, keys)] for row in rows)])
         deck_file, settings = deck._in_file(pathlib.Path(folder))
         with _progress.shown(progress, len(rows), unit="point") as tell:
             done = re.compile(r"\[(\d+)/\d+\] ")

@@ -72,16 +72,16 @@ class Stage(_Known):
                  integrator: str = "velocity-verlet", temperature=None, thermostat=None, barostat=None, sample: bool = False,
                  reverse: bool = False, total_energy=None, **options):
         if (steps is None) == (until is None):
-            raise InputError(f"stage {name!r}: it takes a number of steps, or `until` with errors, one of the two")
+            raise InputError(f"stage {_check.shown(name)}: it takes a number of steps, or `until` with errors, one of the two")
         super().__init__()
         for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
                            "until": None if until is None else Table(until), "temperature": temperature, "total_energy": total_energy,
                            "thermostat": thermostat, "barostat": barostat}.items():
             if value is not None:
                 self[key] = value
-        if _check.truth(sample, f"stage {name!r}: sample"):
+        if _check.truth(sample, f"stage {_check.shown(name)}: sample"):
             self["sample"] = True
-        if _check.truth(reverse, f"stage {name!r}: reverse"):
+        if _check.truth(reverse, f"stage {_check.shown(name)}: reverse"):
             self["reverse"] = True
 
     def __setitem__(self, key, value):

@@ -48,8 +48,8 @@ class Trajectory:
 
     def analyze(self, *names: str, **options) -> Results:
         """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
-        wanted = list(names) or self._frames.default_names()
-        settings = [f"analysis.{name}.{key}={_toml.literal(value)}"
+        wanted = [_check.text(name, "names") for name in names] or self._frames.default_names()
+        settings = [f"analysis.{name}.{key}={_toml.literal(value, key)}"
                     for name, each in options.items() for key, value in _check.table(each, name).items()]
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
@@ -102,7 +102,7 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
     """
     from .deck import Deck
     if not (deck is None or isinstance(deck, Deck)):
-        raise InputError(f"deck: {deck!r:.60} is no ljmd.Deck")
+        raise InputError(f"deck: {_check.shown(deck)} is no ljmd.Deck")
     deck = deck.copy() if deck is not None else None
     positions = None if positions is None else _check.text(positions, "positions")
     group, xyz_comment = _check.text(group, "group"), _check.text(xyz_comment, "xyz_comment")

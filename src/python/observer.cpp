@@ -26,7 +26,7 @@ const Thermodynamics& energies(const SeenSnapshot& seen) {
 /// Of Python or NumPy, whose complex numbers become real with a warning that is easily missed.
 bool is_complex(const py::object& value) {
     return PyComplex_Check(value.ptr()) != 0 ||
-           (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).equal(py::str("c")));
+           py::str(py::getattr(py::getattr(value, "dtype", py::none()), "kind", py::none())).equal(py::str("c"));
 }
 
 /// A real number of Python or NumPy; nothing for anything else, also for text with a number.

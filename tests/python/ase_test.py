@@ -175,6 +175,12 @@ class Calculators(Case):
                         dict(depth=1.0), dict(threads=0), dict(truncation="switched"), dict(tail=True),
                         dict(truncation="cut", tail="false"), dict(switch_start=2.0)):
             self.assertRaises(ljmd.InputError, ljmd.ase.Calculator, **options)
+        calculator = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
+        for options in (dict(cutoff=[1, [2]]), dict(truncation=range(10**15)), dict(parameters_of_potential=5), dict(precision=[])):
+            self.assertRaisesText(ljmd.InputError, next(iter(options)), of=lambda options=options: calculator.set(**options))
+        self.assertEqual((calculator.parameters["cutoff"], calculator.parameters["precision"]), (7.9, "double"))
+        for call in (lambda: ljmd.ase.Calculator(atoms=np.zeros(3)), lambda: ljmd.ase.to_deck([], self.folder / "a.xyz")):
+            self.assertRaisesText(ljmd.InputError, "atoms: ", of=call)
         atoms = crystal()
         atoms.calc = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
         self.assertRaises(PropertyNotImplementedError, atoms.get_dipole_moment)
@@ -254,7 +260,15 @@ class Conversions(Case):
     def test_what_cannot_be_converted_is_said(self):
         self.assertRaises(ljmd.InputError, ljmd.ase.to_atoms, ljmd.Simulation(comet()))
         self.assertRaises(ljmd.DataError, ljmd.ase.to_atoms, small_deck().run(progress=False))
-        self.assertRaises(ljmd.InputError, ljmd.ase.to_atoms, 3)
+        self.assertRaisesText(ljmd.InputError, "what: ", of=lambda: ljmd.ase.to_atoms(3))
+        for symbol in ("", "Xyz", 5):
+            self.assertRaisesText(ljmd.InputError, "symbol: ", of=lambda symbol=symbol: ljmd.ase.to_atoms(liquid(), symbol=symbol))
+        deck = small_deck()
+        deck.output.trajectory = dict(every=20)
+        frames = deck.run(self.folder / "frames", progress=False).trajectory()
+        for frame in (4, -5, 1.5, [0]):
+            self.assertRaisesText(ljmd.InputError, "frame: ", of=lambda frame=frame: ljmd.ase.to_atoms(frames, frame=frame))
+        self.assertRaisesText(ljmd.InputError, "frame: ", of=lambda: ljmd.ase.to_atoms(liquid(), frame={}))
         self.assertRaises(ljmd.InputError, ljmd.ase.to_atoms, liquid(), sigma=-1)
         atoms = crystal()
         to_deck = lambda: ljmd.ase.to_deck(atoms, self.folder / "a.xyz", **ARGON, cutoff=7.9)  # noqa: E731

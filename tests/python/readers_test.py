@@ -1,13 +1,15 @@
 """What is read from the files of a run are the numbers that the engine holds in memory, bit for bit."""
 
+import json
 import os
 import pathlib
 import unittest
 
 import numpy as np
 
+import ljmd
 from cases import Case, comet, program, small_deck
-from ljmd.reading import few_bodies, fluids, sweeps, trajectories
+from ljmd.reading import decks, few_bodies, files, fluids, sweeps, tables, trajectories
 
 os.environ.setdefault("LJMD_PROGRAM", program())
 
@@ -60,6 +62,72 @@ class Readers(Case):
         self.assertEqual(unfinished.keys, read.keys)
         for name in unfinished.observables:
             np.testing.assert_array_equal(unfinished.observables[name], read.observables[name], name)
+
+    def test_what_is_no_file_is_refused_and_not_waited_for(self):
+        """Whoever opens a pipe waits for one who fills it."""
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        for read in (files.read_json, tables.read_table, trajectories.read_xyz, trajectories.read_h5md):
+            with self.subTest(read.__name__), self.assertRaisesRegex(ljmd.DataError, "pipe: is a pipe, not a regular file"):
+                read(pipe)
+
+    def test_what_cannot_be_looked_at_is_one_error(self):
+        for name, words in (("x" * 300, "cannot be read: File name too long"), ("\ud800", "is no name of a file")):
+            for read in (ljmd.open, sweeps.load, files.read_text, trajectories.read, few_bodies.load):
+                if read is not ljmd.open or name.isascii():
+                    with self.subTest(read.__module__, name=name), self.assertRaisesRegex(ljmd.DataError, words):
+                        read(self.folder / name)
+        (self.folder / "points").mkdir()
+        (self.folder / "sweep.json").write_text(json.dumps({"keys": [], "points": [{"name": "x" * 300, "values": []}]}))
+        with self.assertRaisesRegex(ljmd.DataError, "File name too long"):
+            sweeps.load(self.folder)
+
+    def test_damaged_files_are_one_error(self):
+        """Each was an error of Python, or took all memory."""
+        path = self.folder / "file"
+        digits, nested = "9" * 5000, "[" * 10**5
+        frame = 'Lattice="1 0 0 0 1 0 0 0 1" Properties=species:S:1:pos:R:3 Time=0 step=0\n'
+        for text, read, words in ((f'{{"a": {digits}}}', files.read_json, "too many digits"), (f'{{"a": {nested}}}', files.read_json, "too deeply"),
+                                  (f"99999999999999999999\n{frame}X 0 0 0\n", trajectories.read_xyz, "number of atoms"),
+                                  (f"999999999999\n{frame}X 0 0 0\n", trajectories.read_xyz, "cut off"), (f"-1\n{frame}", trajectories.read_xyz, "number of atoms"),
+                                  (f"0\n{frame}", trajectories.read_xyz, "number of atoms"),
+                                  ("step,step\n1,2\n", tables.read_table, "column 'step' is there twice"),
+                                  (f"a = {digits}\n", lambda path: decks.parse(path, path.read_text()), "no.* valid TOML"),
+                                  (f"a = {nested}\n", lambda path: decks.parse(path, path.read_text()), "no.* valid TOML"),
+                                  ("a = 1\n", lambda path: decks.parse(path, path.read_text(), [5]), "KEY=VALUE")):
+            path.write_text(text)
+            with self.subTest(text[:30]), self.assertRaisesRegex(ljmd.DataError, words):
+                read(path)
+        with self.assertRaisesRegex(ljmd.DataError, "'a' is too large a number"):
+            files.field(path, {"a": 10**400}, "a", float)
+
+    def test_damaged_frames_in_hdf5_are_one_error(self):
+        import h5py
+
+        deck = small_deck()
+        deck.output.trajectory = dict(format="h5md", every=10)
+        deck.run(self.folder / "run", progress=False)
+        path = self.folder / "run/trajectory.h5md"
+        whole = path.read_bytes()
+        group = trajectories.H5MD_GROUP
+        for name, value in (("position/step", None), ("position/step", 5), ("position", 5), ("position/value", np.zeros((5, 3))), ("box", 5)):
+            path.write_bytes(whole)
+            with h5py.File(path, "a") as file:
+                del file[f"{group}/{name}"]
+                if value is None:
+                    file.create_group(f"{group}/{name}")
+                else:
+                    file[f"{group}/{name}"] = value
+            with self.subTest(name), self.assertRaises(ljmd.DataError):
+                trajectories.read_h5md(path)
+
+    def test_a_record_with_a_damaged_potential_is_one_error(self):
+        small_deck().run(self.folder / "run", progress=False)
+        record = self.folder / "run/run.json"
+        for given in ({"potential": [1]}, {"potential": {"name": 5}}):
+            record.write_text(json.dumps({**json.loads(record.read_text()), "given": given}))
+            with self.assertRaisesRegex(ljmd.DataError, "run.json: '(potential|name)' is"):
+                repr(ljmd.open(self.folder / "run"))
 
 
 if __name__ == "__main__":

@@ -23,6 +23,8 @@ class ReferenceValues(Case):
         self.assertEqual(found.phase, "supercritical fluid")
         self.assertIn("pilot: 2 runs of 4000 steps", said)
         self.assertEqual(list(found.keys()), ["potential_energy", "pressure", "compressibility_factor", "heat_capacity_cv"])
+        self.assertEqual((list(found), len(found)), (list(found.keys()), 4))
+        self.assertTrue("pressure" in found and "volume" not in found)
         self.assertEqual(list(found.values["name"]), list(found.keys()))
         self.assertEqual(found.tables, ["rdf"])
         self.assertAlmostEqual(float(list(found.table("rdf")["g"])[-1]), 1.0, delta=0.2)

@@ -1,5 +1,6 @@
 """Sweeps: points as a table, the numbers of the command line, resuming, Ctrl-C, mistakes."""
 
+import itertools
 import json
 import os
 import pickle
@@ -116,7 +117,9 @@ class Sweeps(Case):
                              ("temperature", {"system.temperature": [-1.0, 1.0]}), ("a list", {"system.temperature": 1.0}),
                              ("a list", {"system.temperature": "hot"}), ("no points", {}), ("no points", {"system.density": []}),
                              ("same keys", [{"system.density": 1.0}, {"system.temperature": 1.0}]), ("same point", {"system.density": [0.5, 0.5]}),
-                             ("table", [1, 2]), ("cannot hold", {"system.density": [object()]})):
+                             ("table", [1, 2]), ("system.density: a deck cannot hold", {"system.density": [object()]}),
+                             ("1000000000 points", {"system.density": range(10**5), "system.temperature": range(10**4)}),
+                             ("more than 1000000 members", {"system.density": itertools.count()})):
             self.assertRaisesText(ljmd.InputError, text, of=lambda: self.sweep(points))
         wrong = small_deck()
         wrong.system.sed = 3
@@ -143,6 +146,11 @@ class Sweeps(Case):
         for variables in ({"OMPI_COMM_WORLD_SIZE": "1"}, {"PMIX_RANK": "0"}, {"SLURM_STEP_NUM_TASKS": "2"}):
             with mock.patch.dict(os.environ, variables):
                 self.assertTrue(self.sweep({"stage.production.steps": [10, 20]}).finished)
+
+    def test_the_name_of_a_directory_need_not_be_a_text(self):
+        directory = os.fsencode(self.folder / "sweep") + b"\xff"
+        self.assertTrue(self.sweep({"system.temperature": [1.0]}, directory=directory).finished)
+        self.assertTrue(os.path.exists(directory + b"/sweep.csv"))
 
     def test_a_missing_program_is_said(self):
         with mock.patch.dict(os.environ, LJMD_PROGRAM=str(self.folder / "none")):

@@ -27,9 +27,11 @@ def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any
         raise damaged(where, "its deck cannot be read without Python 3.11 or the package tomli")
     try:
         deck = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # an integer of thousands of digits, tables nested too deeply
         raise damaged(where, f"the deck is not valid TOML: {error}") from None
     for setting in settings:
+        if not isinstance(setting, str):
+            raise damaged(where, "a setting is no text of the form KEY=VALUE")
         apply(where, deck, setting)
     return deck
 
@@ -55,7 +57,7 @@ def apply(where: Path, deck: dict[str, Any], setting: str) -> None:
         raise damaged(where, f"'{setting}' is no setting of the form KEY=VALUE")
     try:
         value = tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+    except (ValueError, RecursionError):
         value = text
     holder: Any = deck
     for part in parts[:-1]:

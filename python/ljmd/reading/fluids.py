@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import InputError
 from . import records, stages
+from .files import is_there
 from .observables import Observable, observables
 from .stages import Stage
 from .tables import Table, read_table
@@ -66,5 +67,5 @@ def tables_of_analysis(path: Path, title: str = "") -> FluidRun:
     Without a title it is the name of the run that the directory lies in, or else of the directory itself.
     """
     inside = path.resolve()
-    title = title or (inside.parent.name if (inside.parent / "run.json").exists() else inside.name)
+    title = title or (inside.parent.name if is_there(inside.parent / "run.json") else inside.name)
     return FluidRun(path=path, title=title, thermo={}, observables={}, stages=[])

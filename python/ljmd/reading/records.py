@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError
-from .files import damaged, field, read_json
+from .files import damaged, field, is_there, read_json
 
 KINDS = ("fluid", "few-body")
 
@@ -37,8 +37,8 @@ def read(path: Path) -> Record:
 
     Raises InputError when `path` is no directory, DataError when run.json is missing or damaged.
     """
-    if not path.is_dir():
-        raise InputError(f"{path}: {'not a directory' if path.exists() else 'no such directory'}")
+    if not (is_there(path) and path.is_dir()):
+        raise InputError(f"{path}: {'not a directory' if is_there(path) else 'no such directory'}")
     file = path / "run.json"
     data = read_json(file)
     if field(file, data, "program", str, default="ljmd") != "ljmd":
@@ -56,6 +56,6 @@ def read_results(record: Record) -> dict[str, Any]:
 
 def status_of(record: Record, last_step: float, total_steps: int | None) -> str:
     """How far a run has come that has not ended, in words."""
-    what = "blew up" if (record.path / "failed.xyz").exists() else "has not come to its end"
+    what = "blew up" if is_there(record.path / "failed.xyz") else "has not come to its end"
     steps = "" if total_steps is None else f" of {total_steps}"
     return f"the run {what}: drawn up to step {last_step:.0f}{steps}"

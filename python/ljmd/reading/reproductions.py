@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .files import damaged, field, read_json
+from .files import damaged, field, is_there, read_json
 from .tables import Table, read_table
 
 ISOTHERM_COLUMNS = ("T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994")
@@ -46,7 +46,7 @@ def read_row(path: Path, entry: Any) -> Row:
 def load(directory: Path) -> tuple[list[Row], Table]:
     """The rows of the table, and the isotherms."""
     path = directory / "results.json"
-    if not path.exists():
+    if not is_there(path):
         raise damaged(directory, "the table has not come to its end: `ljmd reproduce` resumes it")
     rows = [read_row(path, entry) for entry in field(path, read_json(path), "rows", list)]
     if not rows:

@@ -11,7 +11,7 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..errors import DataError
-from .files import damaged, field, read_json, read_text
+from .files import damaged, field, is_there, read_json, read_text
 from .observables import Observable, all_of
 from .tables import Table, TextColumns, checked_numbers, rows_of
 
@@ -59,7 +59,7 @@ class SweepTable:
 def read_request(directory: Path) -> Request:
     """Raises DataError where the directory holds no sweep, or sweep.json is damaged."""
     path = directory / "sweep.json"
-    if not path.exists():
+    if not is_there(path):
         raise DataError(f"{directory} holds no sweep: it has no sweep.json")
     data = read_json(path)
     points = field(path, data, "points", list)
@@ -74,7 +74,7 @@ def read_request(directory: Path) -> Request:
 def read_point(request: Request, name: str) -> Optional[Point]:
     """The results of a point; None before it has any."""
     path = request.folder(name) / "results.json"
-    if not path.exists():
+    if not is_there(path):
         return None
     results = read_json(path)
     found = all_of(path, results)
@@ -93,7 +93,7 @@ def load(directory: Path) -> SweepTable:
     request = read_request(directory)
     points = [read_point(request, name) for name in request.names]
     status = ""
-    if (directory / "sweep.csv").exists():
+    if is_there(directory / "sweep.csv"):
         columns, observables = read_csv(directory / "sweep.csv", request.keys)
     else:
         columns, observables = columns_of(request, points)

@@ -31,7 +31,7 @@ def read_numbers(path: Path, growing: bool = False) -> tuple[list[str], np.ndarr
     if len(head.splitlines()) == 1 and '"' not in head and not body.translate(PLAIN) and "\n\n" not in f"\n{body}":
         header = head.split(",")
         numbers = plain_numbers(body, len(header))
-        if numbers is not None:
+        if numbers is not None and len(set(header)) == len(header):
             return header, numbers
     header, rows = rows_of(path, text)
     return header, checked_numbers(path, header, rows)
@@ -61,6 +61,9 @@ def rows_of(path: Path, text: str, growing: bool = False) -> tuple[list[str], li
     if not rows:
         raise damaged(path, "empty, without even a header row")
     header, body = rows[0], rows[1:]
+    twice = next((name for k, name in enumerate(header) if name in header[:k]), None)
+    if twice is not None:
+        raise damaged(path, f"line 1: column '{twice}' is there twice")
     if growing and body and len(body[-1]) != len(header):
         body.pop()
     for number, fields in enumerate(body, 2):

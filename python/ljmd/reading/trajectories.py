@@ -7,6 +7,7 @@ have no box.
 
 from __future__ import annotations
 
+import itertools
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ from typing import Iterator, Optional
 
 import numpy as np
 
-from .files import damaged
+from .files import damaged, is_there, require_file
 from .tables import Table, read_table
 
 H5MD_GROUP = "particles/trajectory"
@@ -42,11 +43,11 @@ def read(directory: Path, most: Optional[int] = None, growing: bool = False) -> 
 
     Raises DataError when the file is damaged.
     """
-    if (directory / "trajectory.csv").exists():
+    if is_there(directory / "trajectory.csv"):
         return read_csv(directory / "trajectory.csv", most, growing)
-    if (directory / "trajectory.h5md").exists():
+    if is_there(directory / "trajectory.h5md"):
         return read_h5md(directory / "trajectory.h5md", most)
-    if (directory / "trajectory.xyz").exists():
+    if is_there(directory / "trajectory.xyz"):
         return read_xyz(directory / "trajectory.xyz", most, growing)
     return None
 
@@ -91,6 +92,7 @@ def read_h5md(path: Path, most: Optional[int] = None) -> Trajectory:
         import h5py  # type: ignore  # here, so that runs without such a file need no h5py
     except ImportError:
         raise damaged(path, "is HDF5, which takes h5py: this Python does not have it") from None
+    require_file(path)
     try:
         with h5py.File(path) as file:
             group = file[H5MD_GROUP]
@@ -98,15 +100,18 @@ def read_h5md(path: Path, most: Optional[int] = None) -> Trajectory:
             if not frames.size:
                 raise ValueError("no frames")
             has_box = "edges" in group["box"]
+            positions = group["position/value"][frames]
+            if positions.ndim != 3:
+                raise ValueError("positions are no array of vectors in each frame")
             return Trajectory(
                 step=group["position/step"][frames],
                 time=group["position/time"][frames],
-                positions=group["position/value"][frames],
+                positions=positions,
                 velocities=group["velocity/value"][frames] if "velocity" in group else None,
                 edges=np.diagonal(group["box/edges/value"][frames], axis1=1, axis2=2) if has_box else None,
                 length_unit=length_unit(file["parameters/units"].attrs["length"], has_box),
             )
-    except (OSError, KeyError, ValueError) as error:
+    except Exception as error:  # of whatever kind: where a data set was expected, h5py may find anything
         raise damaged(path, f"not a trajectory of ljmd: {error}") from None
 
 
@@ -142,13 +147,17 @@ def read_xyz(path: Path, most: Optional[int] = None, growing: bool = False) -> T
 
 def xyz_frames(path: Path, growing: bool) -> Iterator[tuple[str, list[str]]]:
     """The comment and the lines of atoms of each frame; of a growing file without the last one, where it is cut off."""
+    require_file(path)
     with path.open(encoding="utf-8") as file:
         for first in file:
             if growing and not first.endswith("\n"):
                 return
             comment = file.readline()
-            lines = [file.readline() for _ in range(int(first))]
-            if not (lines or [comment])[-1].endswith("\n"):
+            atoms = int(first)
+            if not 0 < atoms < 2**63:
+                raise ValueError("a frame does not begin with a number of atoms")
+            lines = list(itertools.islice(file, atoms))
+            if len(lines) < atoms or not lines[-1].endswith("\n"):
                 if growing:
                     return
                 raise ValueError("the last frame is cut off")
