@@ -109,6 +109,9 @@ class RowAverages {
         const std::vector<double> kinetic = column(table_, "kinetic_energy");
         const std::vector<double> total = column(table_, "total_energy");
         const std::vector<double> pressures = column(table_, "pressure");
+        const std::vector<double> xy = column(table_, "pressure_xy");
+        const std::vector<double> xz = column(table_, "pressure_xz");
+        const std::vector<double> yz = column(table_, "pressure_yz");
         const std::vector<double> densities = densities_of(table_, run_.deck, atoms_);
         const TailCorrection tail = fluid_spec(run_.deck).interaction().tail;
         std::vector<Thermodynamics> rows(temperatures.size());
@@ -118,6 +121,9 @@ class RowAverages {
             rows[k].kinetic_energy = kinetic[k];
             rows[k].total_energy = total[k];
             rows[k].pressure = pressures[k];
+            if (std::isfinite(xy[k])) {  // a single atom has none
+                rows[k].pressure_tensor = Mat3{{0.0, xy[k], xz[k]}, {0.0, 0.0, yz[k]}, {0.0, 0.0, 0.0}};  // the shear
+            }
             rows[k].density = densities[k];
             // Not its virial, but 0 like that in samples where no atoms meet.
             const double far = tail.energy(densities[k]);

@@ -20,6 +20,7 @@ constexpr Index kinetic_energy_column = 2;
 constexpr Index total_energy_column = 3;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
+constexpr Index first_shear_column = 9;  // p_xy, p_xz and p_yz
 constexpr Index virial_column = 12;
 
 /// After the reported columns: 1/T, u^2 and, where there is one, the external energy.
@@ -34,6 +35,10 @@ constexpr Index enough_encounters = 16;
 /// the kinetic energy follows. Where the integrator alone changes it, and where the potential energy alone is slow, it
 /// is not.
 constexpr double noticeable_exchange = 1.5;
+
+/// Of the error of the shear stress when blocks are made four times as long: 2 where they are shorter than its
+/// correlations.
+constexpr double growth_of_slow_stress = 1.6;
 
 /// Independent samples of energy and volume: a tenth of the runs that are a few of their correlation times long looks
 /// as if it had 16.
@@ -80,6 +85,23 @@ void RunAverages::add(const Thermodynamics& s) {
 
 bool RunAverages::met_rarely() const {
     return degrees_of_freedom_ > 0.0 && apart_ > 0 && encounters_ < enough_encounters;
+}
+
+bool RunAverages::knows_collisions() const {
+    if (2 * apart_ > samples()) {
+        return true;  // its encounters are counted, see met_rarely()
+    }
+    // Of the three together, whose scatter hides less than that of one.
+    std::vector<double> errors;
+    for (Index column = first_shear_column; column < virial_column; ++column) {
+        const std::vector<BlockLevel> levels = series_.levels(column);
+        const auto many = std::ranges::count_if(levels, [](const BlockLevel& each) { return each.blocks >= 16; });
+        errors.resize(static_cast<std::size_t>(many));
+        for (std::size_t k = 0; k < errors.size(); ++k) {
+            errors[k] = std::hypot(errors[k], levels[k].standard_error);
+        }
+    }
+    return errors.size() < 3 || !(errors.back() > growth_of_slow_stress * errors[errors.size() - 3]);
 }
 
 Vec3 RunAverages::means_of_state() const {
@@ -130,7 +152,7 @@ Estimate RunAverages::estimate_of(double value, const Eigen::VectorXd& gradient)
     Estimate found = series_.estimate(value, gradient, slow);
     const bool is_short = std::ranges::any_of(
         exchanged, [this](Index column) { return series_.estimate(column).independent_samples < enough_exchanges; });
-    found.converged = found.converged && !is_short;
+    found.converged = found.converged && !is_short && (of_motion || knows_collisions());
     return with_exchange(found, gradient);
 }
 

@@ -189,6 +189,34 @@ TEST_CASE("a run that is short beside the time of its bath knows it from that ti
     CHECK(temperature(0.01, 2.0).standard_error == temperature(0.0, 2.0).standard_error);
 }
 
+TEST_CASE("where shear stress relaxes too slowly for the run, collisions are rare and what they change is a guess") {
+    const auto averages = [](double memory, bool apart) {
+        std::mt19937_64 generator(5);
+        std::normal_distribution<double> normal;
+        RunAverages run(100, Ensemble::canonical);
+        Vec3 shear = Vec3::Zero();
+        for (int k = 0; k < 4096; ++k) {
+            for (double& each : shear) {
+                each = memory * each + std::sqrt(1.0 - memory * memory) * normal(generator);
+            }
+            Thermodynamics sample = numbered(normal(generator));
+            sample.pressure_tensor = Mat3{{1.0, shear[0], shear[1]}, {0.0, 1.0, shear[2]}, {0.0, 0.0, 1.0}};
+            sample.virial = apart && k % 3 != 0 ? 0.0 : 1.0 + sample.virial;
+            run.add(sample);
+        }
+        return run.averages();
+    };
+    for (const char* name : {"potential_energy", "total_energy", "pressure", "compressibility_factor", "virial"}) {
+        CAPTURE(name);
+        CHECK(find(averages(0.98, false), name).estimate->converged);         // 41 independent samples of each stress
+        CHECK_FALSE(find(averages(0.997, false), name).estimate->converged);  // 6
+        CHECK(find(averages(0.997, true), name).estimate->converged);         // encounters are counted
+    }
+    CHECK(find(averages(0.997, false), "temperature").estimate->converged);
+    CHECK(find(averages(0.98, false), "heat_capacity_cv").estimate.has_value());
+    CHECK_FALSE(find(averages(0.997, false), "heat_capacity_cv").estimate.has_value());
+}
+
 TEST_CASE("a volume that a barostat changes slowly lengthens the blocks of all averages") {
     std::mt19937_64 generator(5);
     std::normal_distribution<double> normal;

@@ -56,10 +56,11 @@ enum class Covariance { diagonal, full };
 /// 0.
 ///
 /// Test with many autoregressive series, white or with correlation times up to 100 samples: the scatter of the means is
-/// 0.85 to 1.2 times the converged errors wherever there are more than 16 independent samples. With a slow part of 30 %
-/// to 85 % of the variance of the mean it is 0.98 to 1.03 times the errors where the series has at least 300 of its
-/// correlation times, 1.05 to 1.16 times where it has 100, up to 1.4 times where it has 40. With 50 independent
-/// samples 99 % of the series count as converged, with 10 one in five, with 5 one in twenty.
+/// 0.85 to 1.2 times the converged errors where there are at least 25 independent samples, 1.25 times with 16. With a
+/// slow part of 30 % to 85 % of the variance of the mean it is 0.98 to 1.03 times the errors where the series has at
+/// least 300 of its correlation times, 1.05 to 1.16 times where it has 100, up to 1.4 times where it has 40. With 50
+/// independent samples 97 to 99 % of the series count as converged, with 16 half, with 10 at most three in ten, with 5
+/// one in twenty.
 ///
 /// Memory: 24 width bytes for each doubling of n, or 4 width (width + 5) with Covariance::full. Means are pairwise
 /// sums, whose round-off grows like log n. A sample that is not finite makes mean and error of its component NaN.
