@@ -34,9 +34,7 @@ TEST_CASE("a program keeps its handler of GSL's errors, which none of ours reach
     {
         const GslErrorCodes outer;
         CHECK(handler_now() != &handler_of_program);
-        {
-            const GslErrorCodes inner;
-        }
+        { const GslErrorCodes inner; }
         CHECK(handler_now() != &handler_of_program);
     }
     CHECK(handler_now() == &handler_of_program);

@@ -45,7 +45,8 @@ TEST_CASE("what stands for the mass of a pendulum is its moment of inertia") {
                           "time_step = 0.1\nsteps = 1\n")
                           .load();
     const FewBodyTables& tables = deck.few_body();
-    CHECK(few_body_start(tables.bodies, *chosen_few_body_force(tables.force.method).options).masses() == std::vector<double>{12.0});
+    CHECK(few_body_start(tables.bodies, *chosen_few_body_force(tables.force.method).options).masses() ==
+          std::vector<double>{12.0});
 }
 
 TEST_CASE("a few-body system has the dimensions and the force of its deck") {

@@ -9,8 +9,8 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/mistakes.hpp"
-#include "ljmd/model/velocities.hpp"
 #include "ljmd/integrators/integrator.hpp"
+#include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

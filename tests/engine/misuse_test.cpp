@@ -8,9 +8,9 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/observables/analysis.hpp"
 
 using namespace ljmd;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/options/section.hpp"
 #include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/options/section.hpp"
 
 namespace ljmd::test {
 

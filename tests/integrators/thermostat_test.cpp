@@ -7,8 +7,8 @@
 #include "execution/test_execution.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/options/registry.hpp"
 
 using namespace ljmd;
 

@@ -30,10 +30,11 @@ TEST_CASE("what is written as TOML is read as it was") {
         entry_of("many", Array{{Table{entry_of("k", std::int64_t{1})}, {}}, {Table{entry_of("k", -1e300)}, {}}}),
         entry_of("last", std::int64_t{7})};
     const std::string text = toml_document(table);
-    CHECK(text ==
-          "title = \"\\\"x\\\"\"\nlast = 7\n\n[one]\na = 0.1\n\"b c\" = true\nlist = [1.5, 2.0]\ninner = { n = -3, none "
-          "= {} "
-          "}\n\n[[many]]\nk = 1\n\n[[many]]\nk = -1e+300\n");
+    CHECK(
+        text ==
+        "title = \"\\\"x\\\"\"\nlast = 7\n\n[one]\na = 0.1\n\"b c\" = true\nlist = [1.5, 2.0]\ninner = { n = -3, none "
+        "= {} "
+        "}\n\n[[many]]\nk = 1\n\n[[many]]\nk = -1e+300\n");
     CHECK(toml_document(parsed(text)) == text);
     CHECK(std::get<double>(std::get<Table>(parsed(text)[2].value.data).front().value.data) == 0.1);
 }

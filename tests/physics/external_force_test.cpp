@@ -7,9 +7,9 @@
 #include "core/same_bits.hpp"
 #include "forces/made_external_force.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/options/section.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/options/section.hpp"
 
 namespace ljmd::test {
 

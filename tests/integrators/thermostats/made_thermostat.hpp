@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/options/section.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/options/section.hpp"
 
 namespace ljmd::test {
 

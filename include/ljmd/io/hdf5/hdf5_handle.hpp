@@ -16,7 +16,8 @@ inline constexpr std::size_t hdf5_file_memory = std::size_t{4} << 20;
 ///
 /// HDF5 cannot close a file after a failed write: it crashes, at once or when it tries again at the exit of the program
 /// (seen with 1.10.8 and a full disk). Abandon such handles. Hdf5Output lets HDF5 close what it abandons without the
-/// disk; where memory cannot be written either (a limit on the size of files), leave_hdf5_files_at_exit() is what helps.
+/// disk; where memory cannot be written either (a limit on the size of files), leave_hdf5_files_at_exit() is what
+/// helps.
 class Hdf5Handle {
   public:
     using Closer = herr_t (*)(hid_t);
