@@ -2,8 +2,9 @@
 
 namespace ljmd {
 
-/// While one of these lives, GSL returns errors as codes: its own handler would abort the program. The handler that was
-/// there before the first one is set again when the last one has gone, whichever thread it is in.
+/// While an object of this class exists, GSL returns errors as codes. Otherwise GSL's default handler would abort the
+/// program. Objects are counted over all threads: the first one saves the handler of the program, the last one restores
+/// it.
 class GslErrorCodes {
   public:
     GslErrorCodes();

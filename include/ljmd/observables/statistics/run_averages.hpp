@@ -19,10 +19,10 @@ namespace ljmd {
 /// Pairs that form and part slowly, as in a gas, are hidden in the pressure below the noise of the motion, in the
 /// virial and in Z below that of collisions. They show in the potential energy. So all that the forces contribute to
 /// counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy
-/// needs, and a guess if that of the potential energy is one. In a short run of a gas so few pairs form and part that
-/// they do not show there either. Nothing that collisions change is then known, and the shear stress, which they make
-/// relax, is slow. So all this is a guess as well where the error of p_xy, p_xz and p_yz together grows by more than a
-/// factor of 1.6 when blocks, of which there are 16 or more, are made four times as long.
+/// needs, and a guess if that of the potential energy is one. A short run of a gas has so few of these pairs that they
+/// do not show there either. Such a run is short beside the time between collisions, and the shear stress, which
+/// collisions make relax, tells so: blocks four times as long give p_xy, p_xz and p_yz together an error that is more
+/// than 1.6 times as large. (At least 16 blocks remain.) All that the forces contribute to is then a guess.
 ///
 /// Energy that a bath exchanges slowly is hidden likewise, and shows in the total energy. It is a part of all averages
 /// where its error is more than 1.5 times that of the potential energy, as is the density where the volume fluctuates.
