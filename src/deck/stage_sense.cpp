@@ -71,7 +71,7 @@ void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnost
     }
     for (std::size_t k = 0; k < stages.size(); ++k) {
         const Placed<Stage>& table = tables.stages[k];
-        if (table.total_energy && table.temperature && !stages[k].thermostat) {
+        if (table.total_energy && table.temperature && !table.thermostat) {
             diagnostics.error(table.location(&Stage::total_energy),
                               "'total_energy' and 'temperature' in one [[stage]]: at constant energy the temperature "
                               "is a result",
