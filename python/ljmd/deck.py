@@ -6,7 +6,7 @@ import copy
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar, overload
 
-from . import _check, _core, _output, _toml
+from . import _check, _core, _output
 from ._text import html_pre, html_table
 from .comparisons import Comparison, compare
 from .errors import InputError
@@ -68,7 +68,7 @@ class Deck:
 
     @classmethod
     def _read(cls, name, text, changes):
-        settings = [f"{_check.text(key, 'set')}={_toml.literal(value, key)}" for key, value in _check.table(changes, "set").items()]
+        settings = [f"{_check.text(key, 'set')}={_core.value_text(value, key)}" for key, value in _check.table(changes, "set").items()]
         deck = cls(_core.parse(name, text, settings))
         deck._origin = (name, text, settings, deck._written())
         return deck
@@ -188,10 +188,11 @@ class Deck:
 
     def set(self, key: str, value) -> "Deck":
         """Replace one value as `--set key=value` does: deck.set("stage.production.steps", 500)."""
-        name, text, settings = self._source()
-        settings = [*settings, f"{_check.text(key, 'key')}={_toml.literal(value, key)}"]
-        changed = type(self)(_core.parse(name, text, settings))
-        self._tables, self._origin = changed._tables, (name, text, settings, changed._written())
+        name, source, settings = self._source()
+        source = _core.deck_text(source, None)  # as it is now
+        settings = [*settings, f"{_check.text(key, 'key')}={_core.value_text(value, key)}"]
+        changed = type(self)(_core.parse(name, source, settings))
+        self._tables, self._origin = changed._tables, (name, source, settings, changed._written())
         return self
 
     def copy(self) -> "Deck":
@@ -210,27 +211,22 @@ class Deck:
     __hash__ = None  # type: ignore
 
     def _source(self) -> tuple:
-        """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
+        """Name, text and settings for the reader: those of the file; or the tables, when they were changed in Python."""
         if self._origin is not None and self._pair is None:
             name, text, settings, tables = self._origin
             if self._written() == tables:
                 return name, text, settings
-        return "Deck", self._note() + _toml.dumps(self._tables), []
+        return "Deck", self._tables, []
 
     def _written(self) -> str:
         """All tables but those that were only asked for, to see whether they have changed."""
-        return _toml.dumps({name: table for name, table in self._tables.items() if not (isinstance(table, (dict, list)) and not table)})
-
-    def _note(self) -> str:
-        """A line above the tables that do not say all."""
-        return "" if self._pair is None else (f"# The pair potential is {self._pair.name!r}, a function of Python: that in "
-                                              "[potential] stands in for it.\n")
+        return _core.deck_text({name: table for name, table in self._tables.items() if not (isinstance(table, (dict, list)) and not table)}, None)
 
     @property
     def text(self) -> str:
         """The deck as TOML."""
-        name, text, settings = self._source()
-        return _toml.dumps(self._tables) if settings else text
+        _, source, settings = self._source()
+        return _core.deck_text(self._tables if settings else source, self._core_pair())
 
     def save(self, path, *, force: bool = False) -> None:
         """Write the deck to a file, for the command line.
@@ -243,6 +239,9 @@ class Deck:
             raise InputError("a pair potential in Python cannot be written to a deck")
         _output.write_text(_check.directory_of(path, "path"), self.text, force=_check.truth(force, "force"))
 
+    def _core_pair(self):
+        return None if self._pair is None else self._pair._core
+
     def _require_stages(self) -> None:
         if self._tables and not self._tables.get("stage"):
             raise InputError('this deck has no stages: deck.stages = [ljmd.Stage("production", 1000, sample=True)]')
@@ -252,8 +251,8 @@ class Deck:
         pair = self._pair
         if pair is not None and pair.stand_in != {k: v for k, v in self["potential"].items() if v is not None}:
             raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
-        name, text, settings = self._source()
-        return _core.load(name, text, settings, _check.truth(force, "force"), pair._core if pair is not None else None)
+        name, source, settings = self._source()
+        return _core.load(name, source, settings, _check.truth(force, "force"), self._core_pair())
 
     def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
@@ -353,9 +352,9 @@ class Deck:
         if self._pair is not None:
             raise InputError("a pair potential in Python is not known to the program: it runs in memory alone")
         self._require_stages()
-        name, text, settings = self._source()
+        _, source, settings = self._source()
         path = folder / "deck.toml"
-        path.write_text(text, encoding="utf-8")
+        path.write_text(_core.deck_text(source, None), encoding="utf-8")
         return path, [argument for setting in settings for argument in ("--set", setting)]
 
     def __str__(self) -> str:

@@ -12,7 +12,7 @@ import re
 import tempfile
 from collections.abc import Mapping, Sequence
 
-from . import _check, _program, _progress, _toml
+from . import _check, _core, _program, _progress
 from ._text import html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
 from .reading.files import is_there
@@ -157,7 +157,7 @@ def _value(text: str):
 
 def _setting(value, key: str) -> str:
     """A value of a key as --set takes it."""
-    return value if isinstance(value, str) and _PLAIN.match(value) else _toml.literal(value, key)
+    return value if isinstance(value, str) and _PLAIN.match(value) else _core.value_text(value, key)
 
 
 def _points_of(points) -> tuple:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from . import _check, _core, _toml
+from . import _check, _core
 from .errors import InputError
 from .frames import Frames
 from .results import Results
@@ -49,7 +49,7 @@ class Trajectory:
     def analyze(self, *names: str, **options) -> Results:
         """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
         wanted = [_check.text(name, "names") for name in names] or self._frames.default_names()
-        settings = [f"analysis.{name}.{key}={_toml.literal(value, key)}"
+        settings = [f"analysis.{name}.{key}={_core.value_text(value, key)}"
                     for name, each in options.items() for key, value in _check.table(each, name).items()]
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")

@@ -177,7 +177,7 @@ std::string interaction_in_words(const FluidSpec& spec) {
     if (potential.truncation() == "switched") {
         words += fmt::format(", switched from {:g}", potential.cutoff().switch_start);
     }
-    return words + (spec.tail ? ", with tail corrections" : ", no tail corrections");
+    return words + (spec.has_tail() ? ", with tail corrections" : ", no tail corrections");
 }
 
 Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, const std::string& source) {
@@ -217,7 +217,7 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
                        {"truncation", spec.potential.truncation()},
                        {"cutoff", spec.potential.cutoff().radius},
                        {"switch_start", switched ? std::optional(spec.potential.cutoff().switch_start) : std::nullopt},
-                       {"tail", spec.tail}}},
+                       {"tail", spec.has_tail()}}},
                      {"potential_energy", found.potential_energy},
                      {"tail_energy", frame.tail_energy},
                      {"kinetic_energy", moves ? std::optional(found.kinetic_energy) : std::nullopt},
@@ -246,13 +246,13 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
         text += fmt::format("{:<18}{:>18}  {}\n", name, value, meaning);
     };
     line("potential energy", number(found.potential_energy),
-         spec.tail ? fmt::format("epsilon per atom, {:.6g} of it tail", frame.tail_energy) : "epsilon per atom");
+         spec.has_tail() ? fmt::format("epsilon per atom, {:.6g} of it tail", frame.tail_energy) : "epsilon per atom");
     if (moves) {
         line("kinetic energy", number(found.kinetic_energy), "epsilon per atom");
         line("temperature", number(found.temperature), "epsilon/k_B");
     }
     line("pressure", number(pressure_of(frame)),
-         spec.tail ? fmt::format("epsilon/sigma^3, {:.6g} of it tail", frame.tail_pressure) : "epsilon/sigma^3");
+         spec.has_tail() ? fmt::format("epsilon/sigma^3, {:.6g} of it tail", frame.tail_pressure) : "epsilon/sigma^3");
     line("virial", number(found.virial), "epsilon: sum of r.f over pairs, no tail");
     for (const auto& [name, a, b] : {std::tuple{"  xx, yy, zz", std::array{0, 1, 2}, std::array{0, 1, 2}},
                                      std::tuple{"  xy, xz, yz", std::array{0, 0, 1}, std::array{1, 2, 2}}}) {

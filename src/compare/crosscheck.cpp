@@ -187,7 +187,7 @@ Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListen
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
     run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
-    return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail);
+    return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail());
 }
 
 Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
@@ -203,7 +203,7 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
                         stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));
     }
-    const auto fluid_now = [&] { return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail); };
+    const auto fluid_now = [&] { return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail()); };
     const Execution& execution = simulation.state.execution();
     const bool mixed = simulation.force_field.precision() == Precision::mixed;
     // Report a missing program now, not after minutes of equilibration.

@@ -49,7 +49,7 @@ struct Export {
                             "do not have: only the configuration can be exported, to extxyz or h5md",
                             in_quotes(spec.potential.formula())));
         }
-        return fluid_of(state, spec.potential, spec.tail);
+        return fluid_of(state, spec.potential, spec.has_tail());
     }
 };
 

@@ -8,22 +8,10 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/model/lattice.hpp"
 
 namespace ljmd {
 
 namespace {
-
-std::variant<LatticeStart, RandomStart, Configuration> start_of(const SystemTable& system) {
-    if (!system.lattice) {
-        return Configuration{};
-    }
-    const LatticeTable& table = *system.lattice;
-    if (table.is_random()) {
-        return RandomStart{*table.atoms};
-    }
-    return table.start();
-}
 
 Start start_from_file(const SystemTable& system, const std::optional<SubstanceUnits>& units) {
     const std::string comment = system.xyz_comment.value_or("");
@@ -87,7 +75,7 @@ SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box) {
 
 FluidSpec fluid_spec(const Deck& deck) {
     const SystemTable& system = deck.system();
-    FluidSpec spec{.start = start_of(system),
+    FluidSpec spec{.start = system.start(),
                    .temperature = system.temperature,
                    .keep_velocities = !system.draws_velocities(),
                    .seed = static_cast<std::uint64_t>(system.seed),

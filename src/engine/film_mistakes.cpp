@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "keys_of_mistakes.hpp"
 namespace ljmd {
 
 namespace {
@@ -36,7 +37,8 @@ std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, 
                          0,
                          fmt::format("is {}, but the crystal is {:.6g} sigma high", *lattice.height, crystal),
                          true,
-                         {"lattice.height", "lattice.cells", "lattice.layers", "density"},
+                         {lattice_key(&LatticeTable::height), lattice_key(&LatticeTable::cells),
+                          lattice_key(&LatticeTable::layers), key(&SystemTable::density)},
                          ""});
     }
     if (tail) {
@@ -46,7 +48,7 @@ std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, 
                          "a film is not homogeneous, as the tail correction takes for granted: use a shifted form, or "
                          "tail = false",
                          false,
-                         {"tail"},
+                         {potential_key(&PotentialTable::tail)},
                          ""});
     }
     return found;
@@ -63,7 +65,7 @@ std::vector<Mistake> homogeneity_mistakes(const std::vector<Choice>& analyses, b
                                          "its crystal holds a film",
                                          each.name),
                              false,
-                             {"lattice.height"},
+                             {lattice_key(&LatticeTable::height)},
                              "leave one of the two out"});
         }
     }

@@ -82,7 +82,7 @@ void judge_start(const FluidSpec& spec, Complaints& complaints) {
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
         complaints.add(lattice_mistakes(*crystal));
         if (complaints.empty()) {
-            complaints.add(film_mistakes(*crystal, spec.density, spec.tail));
+            complaints.add(film_mistakes(*crystal, spec.density, spec.has_tail()));
         }
     } else {
         const Index atoms = atoms_of(spec);
@@ -150,8 +150,12 @@ void NeighborSpec::describe(Description& description) {
             "and take longer; changes the last digits of forces; verlet-list only");
 }
 
+bool FluidSpec::has_tail() const {
+    return tail.value_or(PairPotential::takes_tail(potential.truncation()));
+}
+
 Interaction FluidSpec::interaction() const {
-    return {potential, tail ? TailCorrection(potential) : TailCorrection(), external != nullptr};
+    return {potential, has_tail() ? TailCorrection(potential) : TailCorrection(), external != nullptr};
 }
 
 Index atoms_of(const FluidSpec& spec) {
@@ -238,7 +242,7 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     if (!judge_choices(spec, complaints)) {
         return complaints.take();
     }
-    complaints.add(potential_mistakes(spec.potential.truncation(), spec.potential.cutoff(), spec.tail));
+    complaints.add(potential_mistakes(spec.potential.truncation(), spec.potential.cutoff(), spec.has_tail()));
     complaints.add(search_mistakes(spec.neighbors, precision));
     complaints.add(stage_mistakes(spec.stages));
     complaints.add(fluid_stage_mistakes(resolved_stages(spec)));

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "keys_of_mistakes.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -61,17 +62,17 @@ void judge_thermostat(const Stage& stage, Mistakes& found) {
     const ThermostatMethod thermostat = find_thermostat(stage.thermostat->name);
     const std::string& integrator = stage.integrator.name;
     if (thermostat.every_step && integrator != "velocity-verlet") {
-        found.add({"thermostat.type", "integrator"},
+        found.add({type_key(&Stage::thermostat), key(&Stage::integrator)},
                   fmt::format("the thermostat {} is a part of the steps of velocity-verlet; the integrator is {}",
                               thermostat.name, integrator));
     }
     const bool finite = stage.temperature && std::isfinite(*stage.temperature);
     if (thermostat.canonical && !(finite && *stage.temperature > 0.0)) {
-        found.add({"thermostat.type", "temperature"},
+        found.add({type_key(&Stage::thermostat), key(&Stage::temperature)},
                   fmt::format("the thermostat {} needs a temperature above 0", thermostat.name),
                   "rescale can take it to 0");
     } else if (!(finite && *stage.temperature >= 0.0)) {
-        found.add({"thermostat.type", "temperature"},
+        found.add({type_key(&Stage::thermostat), key(&Stage::temperature)},
                   fmt::format("the thermostat {} needs a temperature of 0 or more", thermostat.name));
     }
 }
@@ -98,21 +99,22 @@ std::vector<Mistake> stage_mistakes(const std::vector<Stage>& stages) {
     double steps = 0.0;
     std::vector<Mistake> all = judged(stages, [&](const Stage& stage, Mistakes& found) {
         if (stage.name.empty() || printable(stage.name, longest_name) != stage.name) {
-            found.add_of_key({"name"}, fmt::format("must be 1 to {} printable characters", longest_name));
+            found.add_of_key({key(&Stage::name)}, fmt::format("must be 1 to {} printable characters", longest_name));
         } else if (!names.insert(stage.name).second) {
-            found.add({"name"}, fmt::format("two stages are called '{}'", stage.name));
+            found.add({key(&Stage::name)}, fmt::format("two stages are called '{}'", stage.name));
         }
         if (!(stage.time_step > 0.0 && std::isfinite(stage.time_step))) {
-            found.add({"time_step"}, fmt::format("the time step is {}, it must be above 0", stage.time_step));
+            found.add({key(&Stage::time_step)},
+                      fmt::format("the time step is {}, it must be above 0", stage.time_step));
         }
         if (stage.steps < 0) {
-            found.add({"steps"}, fmt::format("{} steps: allowed are 0 and more", stage.steps));
+            found.add({key(&Stage::steps)}, fmt::format("{} steps: allowed are 0 and more", stage.steps));
         }
         steps += static_cast<double>(stage.steps);
     });
     if (steps > max_total_steps) {
         Mistakes found("stage", stages.front().name);
-        found.add({"steps"}, "the steps of all stages add up to more than 2^62");
+        found.add({key(&Stage::steps)}, "the steps of all stages add up to more than 2^62");
         found.move_to(all);
     }
     return all;
@@ -125,25 +127,26 @@ std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
         const bool samples = stage.sample && stage.steps > 0;
         turned = turned || (sampled && stage.reverse);
         if (samples && turned) {
-            found.add({"sample", "reverse"},
+            found.add({key(&Stage::sample), key(&Stage::reverse)},
                       "this stage samples again what was sampled before the motion was turned round",
                       "set sample = false in it, or in the stages before the reversal");
         }
         sampled = sampled || samples;
         if (find_integrator(stage.integrator.name).unbounded_only) {
-            found.add({"integrator"}, fmt::format("the integrator {} is for few bodies only", stage.integrator.name));
+            found.add({key(&Stage::integrator)},
+                      fmt::format("the integrator {} is for few bodies only", stage.integrator.name));
         }
         if (stage.barostat && !(stage.thermostat && find_thermostat(stage.thermostat->name).canonical)) {
-            found.add({"barostat", "thermostat.type"}, "a barostat needs a canonical thermostat beside it",
-                      "e.g. stochastic-rescaling");
+            found.add({key(&Stage::barostat), type_key(&Stage::thermostat)},
+                      "a barostat needs a canonical thermostat beside it", "e.g. stochastic-rescaling");
         }
         if (stage.thermostat) {
             judge_thermostat(stage, found);
         }
         if (stage.total_energy && !std::isfinite(*stage.total_energy)) {
-            found.add_of_key({"total_energy"}, "must be a finite number");
+            found.add_of_key({key(&Stage::total_energy)}, "must be a finite number");
         } else if (stage.total_energy && stage.thermostat) {
-            found.add({"total_energy", "thermostat.type"},
+            found.add({key(&Stage::total_energy), type_key(&Stage::thermostat)},
                       "a total energy is kept at constant energy only: a thermostat would change it",
                       "leave one of the two out");
         }
@@ -163,13 +166,13 @@ std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
     std::vector<Mistake> all = judged(spec.stages, [&](const Stage& stage, Mistakes& found) {
         if (stage.total_energy && !spec.external->has_energy()) {
             found.add(
-                {"total_energy"},
+                {key(&Stage::total_energy)},
                 fmt::format("a total energy needs the energy of the external force '{}', which does not tell it", name),
                 "see ExternalForce::has_energy()");
         }
         if (stage.barostat && !spec.external->has_virial()) {
             found.add(
-                {"barostat"},
+                {key(&Stage::barostat)},
                 fmt::format("a barostat needs the virial of the external force '{}', which does not tell it", name),
                 "see ExternalForce::has_virial(); a field that scales with the box has virial 0");
         }
@@ -191,12 +194,14 @@ std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages
     const Stage* previous = nullptr;
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
         if (stage.sample && stage.reverse) {
-            found.add({"reverse"}, fmt::format("stage '{}' runs backwards: analyses cannot sample it", stage.name),
+            found.add({key(&Stage::reverse)},
+                      fmt::format("stage '{}' runs backwards: analyses cannot sample it", stage.name),
                       "set sample = false in it");
         } else if (stage.sample && last_sampled != nullptr && last_sampled != previous) {
-            found.add({"sample"}, fmt::format("stage '{}' is sampled and so was '{}', but '{}' between them is not: "
-                                              "analyses cannot leave a gap",
-                                              stage.name, last_sampled->name, previous->name));
+            found.add({key(&Stage::sample)},
+                      fmt::format("stage '{}' is sampled and so was '{}', but '{}' between them is not: "
+                                  "analyses cannot leave a gap",
+                                  stage.name, last_sampled->name, previous->name));
         }
         last_sampled = stage.sample ? &stage : last_sampled;
         previous = &stage;
@@ -206,13 +211,15 @@ std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages
 std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
     Mistakes found("system");
     if (lattice.cells < 1 || lattice.cells > max_cells) {
-        found.add({"lattice.cells"},
+        found.add({lattice_key(&LatticeTable::cells)},
                   fmt::format("{} cells along an edge: allowed are 1 to {}", lattice.cells, max_cells));
     } else if (lattice.layers && (*lattice.layers < 1 || *lattice.layers > max_layers)) {
-        found.add({"lattice.layers"}, fmt::format("{} layers: allowed are 1 to {}", *lattice.layers, max_layers));
+        found.add({lattice_key(&LatticeTable::layers)},
+                  fmt::format("{} layers: allowed are 1 to {}", *lattice.layers, max_layers));
     } else if (const Index atoms = lattice_atoms(lattice.lattice, lattice.cells, lattice.layers_along_z());
                atoms > max_atoms) {
-        found.add_of_key({"lattice.cells"}, fmt::format("makes {} atoms, more than {}", atoms, max_atoms));
+        found.add_of_key({lattice_key(&LatticeTable::cells)},
+                         fmt::format("makes {} atoms, more than {}", atoms, max_atoms));
     }
     return found.take();
 }
@@ -221,18 +228,21 @@ std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cut
     Mistakes found("potential");
     const std::string meaningless = fmt::format("has no meaning for truncation = \"{}\"", truncation);
     if (!(cutoff.radius >= min_cutoff && std::isfinite(cutoff.radius))) {
-        found.add({"cutoff"}, fmt::format("the cutoff is {}, it must be at least {}", cutoff.radius, min_cutoff));
+        found.add({potential_key(&PotentialTable::radius)},
+                  fmt::format("the cutoff is {}, it must be at least {}", cutoff.radius, min_cutoff));
     } else if (truncation == "switched" && !(cutoff.switch_start > 0.0)) {
-        found.add({"switch_start"}, fmt::format("the switch starts at {}, it must be above 0", cutoff.switch_start));
+        found.add({potential_key(&PotentialTable::switch_start)},
+                  fmt::format("the switch starts at {}, it must be above 0", cutoff.switch_start));
     } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {
-        found.add_of_key({"switch_start", "cutoff"},
+        found.add_of_key({potential_key(&PotentialTable::switch_start), potential_key(&PotentialTable::radius)},
                          fmt::format("is {}, not below the cutoff {}", cutoff.switch_start, cutoff.radius));
     } else if (truncation != "switched" && cutoff.switch_start != 0.0) {
-        found.add_of_key({"switch_start", "truncation"}, meaningless, "only \"switched\" begins before the cutoff");
+        found.add_of_key({potential_key(&PotentialTable::switch_start), potential_key(&PotentialTable::truncation)},
+                         meaningless, "only \"switched\" begins before the cutoff");
     }
     if (tail && !PairPotential::takes_tail(truncation)) {
-        found.add_of_key({"tail", "truncation"}, meaningless,
-                         "a shifted potential is another potential: no tail makes it the full one");
+        found.add_of_key({potential_key(&PotentialTable::tail), potential_key(&PotentialTable::truncation)},
+                         meaningless, "a shifted potential is another potential: no tail makes it the full one");
     }
     return found.take();
 }
@@ -241,25 +251,28 @@ std::vector<Mistake> search_mistakes(const NeighborSpec& neighbors, Precision pr
     Mistakes found("neighbors");
     const std::vector<std::string> methods = pair_search_names();
     if (std::ranges::find(methods, neighbors.method) == methods.end()) {
-        found.add({"method"},
+        found.add({key(&NeighborSpec::method)},
                   fmt::format("unknown method '{}', allowed: {}", neighbors.method, fmt::join(methods, ", ")));
         return found.take();
     }
     if (!(neighbors.skin >= 0.0 && neighbors.skin <= max_skin)) {
-        found.add({"skin"}, fmt::format("the skin is {}, allowed are 0 to {}", neighbors.skin, max_skin));
+        found.add({key(&NeighborSpec::skin)},
+                  fmt::format("the skin is {}, allowed are 0 to {}", neighbors.skin, max_skin));
     }
     if (neighbors.every && *neighbors.every < 1) {
-        found.add_of_key({"every"}, fmt::format("is {}, it must be at least 1", *neighbors.every));
+        found.add_of_key({key(&NeighborSpec::every)}, fmt::format("is {}, it must be at least 1", *neighbors.every));
     }
     if (neighbors.tile && *neighbors.tile < min_tile) {
-        found.add_of_key({"tile"}, fmt::format("is {}, it must be at least {}", *neighbors.tile, min_tile));
+        found.add_of_key({key(&NeighborSpec::tile)},
+                         fmt::format("is {}, it must be at least {}", *neighbors.tile, min_tile));
     }
     const std::string meaningless = fmt::format("has no meaning for method = \"{}\"", neighbors.method);
     if (neighbors.tile && !neighbors.keeps_list()) {
-        found.add_of_key({"tile", "method"}, meaningless, "only a list has tiles");
+        found.add_of_key({key(&NeighborSpec::tile), key(&NeighborSpec::method)}, meaningless, "only a list has tiles");
     }
     if (neighbors.every && !neighbors.keeps_list()) {
-        found.add_of_key({"every", "method"}, meaningless, "only a list is kept for some steps");
+        found.add_of_key({key(&NeighborSpec::every), key(&NeighborSpec::method)}, meaningless,
+                         "only a list is kept for some steps");
     }
     std::vector<Mistake> all = found.take();
     if (precision == Precision::mixed && !neighbors.keeps_list()) {
@@ -276,7 +289,7 @@ std::vector<Mistake> cutoff_mistakes(double cutoff, const Box& box) {
     Mistakes found("potential");
     const double largest = 0.5 * box.shortest_edge();
     if (cutoff > largest) {
-        found.add_of_key({"cutoff"},
+        found.add_of_key({potential_key(&PotentialTable::radius)},
                          fmt::format("is {}, more than half the box (L = {:.6g})", cutoff, box.shortest_edge()),
                          fmt::format("largest allowed: {}", largest));
     }
@@ -298,11 +311,12 @@ std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses, cons
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
         const bool is_later = &stage >= &stages[first] && stages[first].sample;
         if (is_later && stage.barostat && needs_box) {
-            found.add({"barostat"}, "analyses need a box that stays as it is from the first sampled stage on",
+            found.add({key(&Stage::barostat)},
+                      "analyses need a box that stays as it is from the first sampled stage on",
                       "sample a later stage without barostat, or leave the analyses out");
         }
         if (follows_time && stage.sample && stage.time_step != time_step) {
-            found.add({"time_step"},
+            found.add({key(&Stage::time_step)},
                       fmt::format("sampled stages have time steps of {} and {}, but analyses compare configurations at "
                                   "equal times apart",
                                   time_step, stage.time_step));
@@ -328,15 +342,16 @@ std::vector<Mistake> analysis_need_mistakes(const std::vector<Choice>& analyses,
         const AnalysisNeeds needs = find_analysis(analysis.name).needs;
         if (needs.continuous_potential && has_step(truncation)) {
             Mistakes found("potential");
-            found.add({"truncation"}, fmt::format("the analysis {} needs a continuous potential: {}", analysis.name,
-                                                  step_in_words(truncation)));
+            found.add({potential_key(&PotentialTable::truncation)},
+                      fmt::format("the analysis {} needs a continuous potential: {}", analysis.name,
+                                  step_in_words(truncation)));
             found.move_to(all);
         }
         if (needs.constant_energy) {
             std::ranges::move(judged(stages,
                                      [&](const Stage& stage, Mistakes& found) {
                                          if (stage.sample && stage.thermostat) {
-                                             found.add({"thermostat.type"},
+                                             found.add({type_key(&Stage::thermostat)},
                                                        fmt::format("the analysis {} needs sampled stages at constant "
                                                                    "energy: with a thermostat the pressure follows the "
                                                                    "energy that it gives and takes",

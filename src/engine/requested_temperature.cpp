@@ -83,7 +83,7 @@ std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     if (potential.formula() != "lennard-jones" || spec.external || is_film(spec)) {
         return std::nullopt;
     }
-    if (potential.truncation() == "cut" && spec.tail && radius >= min_full_cutoff) {
+    if (potential.truncation() == "cut" && spec.has_tail() && radius >= min_full_cutoff) {
         return equation_of_state("thol2016");
     }
     if (potential.truncation() == "shifted" && std::abs(radius - thol2015_cutoff) < rounding) {

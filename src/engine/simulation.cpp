@@ -36,6 +36,7 @@ FluidSpec checked(FluidSpec spec, const Execution& execution) {
 /// The specification with all that stages and analyses leave to it or to defaults.
 FluidSpec resolved(FluidSpec spec) {
     spec.stages = resolved_stages(spec);
+    spec.tail = spec.has_tail();
     for (Choice& analysis : spec.analyses) {
         analysis = choice_of(chosen_analysis(analysis));
     }
@@ -55,7 +56,7 @@ std::string identity(const FluidSpec& spec, const Execution& execution) {
     // their box and their velocities in place of the start; units are for messages alone.
     const auto& [start, density, start_temperature, keep_velocities, seed, potential, tail, neighbors, external, stages,
                  sample_every, analyses, units] = spec;
-    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), tail, in_words(neighbors),
+    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), spec.has_tail(), in_words(neighbors),
                                    sample_every, seed, name(execution.precision()));
     for (const Stage& stage : stages) {
         text += fmt::format("; stage {} seed = {}", in_words(stage), stage.seed);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "keys_of_mistakes.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
@@ -41,19 +42,20 @@ std::vector<Mistake> mistakes_of(const Stage& stage, std::size_t index, const st
         found.push_back({"stage", stage.name, index, sentence, false, std::move(keys), hint});
     };
     if (index + 1 != stages.size()) {
-        add({"until"}, "only the last stage can end when errors are reached: a later one would begin at any step",
+        add({key(&Stage::until)},
+            "only the last stage can end when errors are reached: a later one would begin at any step",
             "give this stage a number of steps");
     }
     if (!stage.sample) {
-        add({"until", "sample"}, "a stage that ends when errors are reached is sampled: nothing else has errors",
-            "sample = true");
+        add({key(&Stage::until), key(&Stage::sample)},
+            "a stage that ends when errors are reached is sampled: nothing else has errors", "sample = true");
     }
     if (stage.steps == 0) {
-        add({"until.max_steps"}, "a stage that is to reach errors takes steps: max_steps is 0");
+        add({key(&Stage::until) + ".max_steps"}, "a stage that is to reach errors takes steps: max_steps is 0");
     }
     std::set<std::string> seen;
     for (const WantedError& wanted : stage.until) {
-        const std::string key = "until." + wanted.observable;
+        const std::string wanted_key = key(&Stage::until) + "." + wanted.observable;
         const std::string name = printable(wanted.observable, longest_observable);
         const auto& known = until_observables();
         if (std::ranges::find(known, wanted.observable, &UntilObservable::name) == known.end()) {
@@ -62,13 +64,15 @@ std::vector<Mistake> mistakes_of(const Stage& stage, std::size_t index, const st
             for (const UntilObservable& each : known) {
                 names.push_back(each.name);
             }
-            add({"until"}, fmt::format("no error of '{}' can be reached; known are {}", name, fmt::join(names, ", ")));
+            add({key(&Stage::until)},
+                fmt::format("no error of '{}' can be reached; known are {}", name, fmt::join(names, ", ")));
         } else if (!seen.insert(wanted.observable).second) {
-            add({key}, fmt::format("two errors of {} are to be reached", name));
+            add({wanted_key}, fmt::format("two errors of {} are to be reached", name));
         } else if (!(wanted.error > 0.0 && std::isfinite(wanted.error))) {
-            add({key}, fmt::format("the error of {} to be reached is {}, it must be above 0", name, wanted.error));
+            add({wanted_key},
+                fmt::format("the error of {} to be reached is {}, it must be above 0", name, wanted.error));
         } else if (const std::string why = why_without_error(wanted.observable, stage, stages); !why.empty()) {
-            add({key}, fmt::format("no error of {} can be reached: it {}", name, why));
+            add({wanted_key}, fmt::format("no error of {} can be reached: it {}", name, why));
         }
     }
     return found;

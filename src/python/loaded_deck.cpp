@@ -1,78 +1,61 @@
 #include "loaded_deck.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "deck_values.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
+#include "ljmd/run/spec_deck.hpp"
 #include "pair.hpp"
 
 namespace ljmd::python {
 
 namespace {
 
-py::dict table_of(const Table& table);
+using DeckSource = std::variant<std::string, py::dict>;  // the text of a deck, or its tables
 
-py::object value_of(const Value& value) {
-    return std::visit(
-        [](const auto& data) -> py::object {
-            using T = std::remove_cvref_t<decltype(data)>;
-            if constexpr (std::is_same_v<T, Array>) {
-                py::list list;
-                for (const Value& item : data) {
-                    list.append(value_of(item));
-                }
-                return list;
-            } else if constexpr (std::is_same_v<T, Table>) {
-                return table_of(data);
-            } else if constexpr (std::is_same_v<T, Date>) {
-                return python_text(data.text);
-            } else if constexpr (std::is_same_v<T, std::string>) {
-                return python_text(data);
-            } else {
-                return py::cast(data);
-            }
-        },
-        value.data);
-}
-
-py::dict table_of(const Table& table) {
-    py::dict dict;
-    for (const Entry& entry : table) {
-        dict[python_text(entry.key)] = value_of(entry.value);
+std::string source_text(const DeckSource& source, const PairOfPython* pair) {
+    if (const auto* text = std::get_if<std::string>(&source)) {
+        return *text;
     }
-    return dict;
+    const std::string tables = deck_text(std::get<py::dict>(source));
+    return pair == nullptr ? tables
+                           : fmt::format(
+                                 "# The pair potential is '{}', a function of Python: that in [potential] "
+                                 "stands in for it.\n{}",
+                                 pair->potential().formula(), tables);
 }
 
 /// The tables of a deck as dicts, unchecked.
-py::dict parsed(const std::string& name, const std::string& text, const std::vector<std::string>& settings) {
+py::dict parsed(const std::string& name, const DeckSource& source, const std::vector<std::string>& settings) {
     Diagnostics diagnostics;
-    DeckFile file = parse_deck(name, text, diagnostics);
+    DeckFile file = parse_deck(name, source_text(source, nullptr), diagnostics);
     diagnostics.throw_if_errors();
     for (const std::string& setting : settings) {
         apply_setting(file.table, setting, diagnostics);
     }
     diagnostics.throw_if_errors();
-    return table_of(file.table);
+    return to_python(file.table);
 }
 
 /// @param pair  the pair potential of the calling program, if it gives one
-std::unique_ptr<LoadedDeck> loaded(const std::string& name, const std::string& text,
+std::unique_ptr<LoadedDeck> loaded(const std::string& name, const DeckSource& source,
                                    const std::vector<std::string>& settings, bool force, const PairOfPython* pair) {
     Diagnostics diagnostics;
     GivenParts given{.by = "Python"};
     if (pair != nullptr) {
         given.potential = pair->given();
     }
-    auto deck = load_deck_text(name, text, settings, force, diagnostics, std::move(given));
+    auto deck = load_deck_text(name, source_text(source, pair), settings, force, diagnostics, std::move(given));
     diagnostics.throw_if_errors();
     if (pair != nullptr && deck->potential().has_tail()) {
         throw InputError("a pair potential in Python is not known beyond its cutoff: it takes tail=False");
@@ -113,6 +96,10 @@ py::tuple checked(const LoadedDeck& loaded, int threads, const std::string& simd
 
 }  // namespace
 
+py::dict default_tables() {
+    return parsed("", deck_text(FluidSpec{.stages = {Stage{.name = "production"}}}), {});
+}
+
 std::vector<std::string> warnings_of(const Diagnostics& diagnostics) {
     std::vector<std::string> warnings;
     for (const Diagnostic& entry : diagnostics.entries()) {
@@ -131,8 +118,10 @@ void bind_decks(py::module_& module) {
         .def_property_readonly("directory", [](const LoadedDeck& d) { return python_text(d.deck.directory.string()); });
     module.def("substance", &substance_of, py::arg("deck"));
     module.def("read_file", &text_of_file, py::arg("path"));
-    module.def("parse", &parsed, py::arg("name"), py::arg("text"), py::arg("settings"));
-    module.def("load", &loaded, py::arg("name"), py::arg("text"), py::arg("settings"), py::arg("force"),
+    module.def("deck_text", &source_text, py::arg("source"), py::arg("pair"));
+    module.def("value_text", &value_text, py::arg("value"), py::arg("name"));
+    module.def("parse", &parsed, py::arg("name"), py::arg("source"), py::arg("settings"));
+    module.def("load", &loaded, py::arg("name"), py::arg("source"), py::arg("settings"), py::arg("force"),
                py::arg("pair"));
     module.def("check", &checked, py::arg("deck"), py::arg("threads"), py::arg("simd"));
 }

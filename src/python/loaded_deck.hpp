@@ -18,6 +18,10 @@ struct LoadedDeck {
 /// The warnings, as they are printed.
 [[nodiscard]] std::vector<std::string> warnings_of(const Diagnostics& diagnostics);
 
+/// The tables of a deck that says what a FluidSpec says of itself, with one stage: the defaults of Deck.fluid and
+/// Stage.
+[[nodiscard]] py::dict default_tables();
+
 /// Reading and checking decks.
 void bind_decks(py::module_& module);
 

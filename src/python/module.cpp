@@ -51,6 +51,7 @@ py::dict build() {
     all["barostats"] = plugin_names(all_barostats());
     all["analyses"] = plugin_names(all_analyses());
     all["few_body_analyses"] = plugin_names(all_few_body_analyses());
+    all["defaults"] = default_tables();
     all["equations_of_state"] = plugin_names(all_equations_of_state());
     return all;
 }

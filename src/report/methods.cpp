@@ -44,7 +44,7 @@ std::string fluid_in_words(const RunFacts& facts, const Deck& deck) {
     }
     words += fmt::format(" was simulated; all numbers are in reduced units. The potential was {}, {} at {} sigma{}.",
                          spec.potential.formula(), spec.potential.truncation(), number(spec.potential.cutoff().radius),
-                         spec.tail ? ", with corrections for the tail (g = 1 beyond the cutoff)" : "");
+                         spec.has_tail() ? ", with corrections for the tail (g = 1 beyond the cutoff)" : "");
     return words + stages_in_words(deck) +
            " Standard errors are from block averages (Flyvbjerg and Petersen 1989, doi:10.1063/1.457480; length of the "
            "blocks after Lee et al. 2011, doi:10.1103/PhysRevE.83.066706).";

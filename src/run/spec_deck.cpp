@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
@@ -12,11 +11,6 @@
 namespace ljmd {
 
 namespace {
-
-std::string lattice_name(Lattice lattice) {
-    const std::vector<std::string> names = lattice_names();
-    return *std::ranges::find(names, lattice, find_lattice);
-}
 
 /// Why no deck says the same; empty if one can.
 std::string not_for_decks(const FluidSpec& spec) {
@@ -38,40 +32,6 @@ std::string not_for_decks(const FluidSpec& spec) {
     return {};
 }
 
-SystemTable system_table(const FluidSpec& spec, const std::filesystem::path& start) {
-    SystemTable table;
-    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
-        LatticeTable& lattice = table.lattice.emplace();
-        lattice.type = lattice_name(crystal->lattice);
-        lattice.cells = crystal->cells;
-        lattice.layers = crystal->layers;
-        lattice.height = crystal->height;
-        table.density = spec.density;
-    } else if (const auto* random = std::get_if<RandomStart>(&spec.start)) {
-        LatticeTable& lattice = table.lattice.emplace();
-        lattice.type = LatticeTable::random_places;
-        lattice.atoms = random->atoms;
-        table.density = spec.density;
-    } else {
-        table.file = start.string();
-        table.velocities = spec.keep_velocities ? std::nullopt : std::optional<std::string>(SystemTable::maxwell);
-    }
-    table.temperature = spec.temperature;
-    table.seed = static_cast<Index>(spec.seed);
-    return table;
-}
-
-PotentialTable potential_table(const FluidSpec& spec) {
-    const PairPotential& potential = spec.potential;
-    PotentialTable table;
-    static_cast<Cutoff&>(table) = potential.cutoff();
-    table.type = potential.formula();
-    table.truncation = potential.truncation();
-    table.tail = PairPotential::takes_tail(potential.truncation()) ? std::optional(spec.tail) : std::nullopt;
-    table.parameters[table.type] = potential.parameters();
-    return table;
-}
-
 template <class Options>
 Placed<Options> without_places(const Options& options) {
     Placed<Options> placed;
@@ -91,7 +51,7 @@ FluidTables tables_of(const FluidSpec& spec, const RunFiles& files, Precision pr
         tables.argon = without_places(ArgonTable{spec.units->si(Dimension::length), spec.units->si(Dimension::energy),
                                                  spec.units->si(Dimension::mass)});
     }
-    tables.system = without_places(system_table(spec, start));
+    tables.system = without_places(system_table(spec, start.string()));
     tables.potential = without_places(potential_table(spec));
     tables.neighbors = without_places(spec.neighbors);
     tables.performance = without_places(PerformanceTable{std::string(name(precision))});

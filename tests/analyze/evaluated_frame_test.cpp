@@ -87,5 +87,5 @@ TEST_CASE("an interaction is told in words, with all that changes energies") {
                                           {{"well_depth", 1.0}, {"steepness", 6.0}, {"minimum", 1.12}});
     CHECK(interaction_in_words(morse) ==
           "morse well_depth = 1, steepness = 6, minimum = 1.12, truncation 'switched', cutoff 3 sigma, switched from "
-          "2.5, no tail corrections");
+          "2.5, with tail corrections");
 }

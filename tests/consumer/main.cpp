@@ -21,7 +21,8 @@ int main() {
     ljmd::FluidSpec crystal{.start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
                             .density = 1.0,
                             .temperature = 0.1,
-                            .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5})};
+                            .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5}),
+                            .tail = false};
     crystal.stages = {{.name = "production", .time_step = 0.004, .steps = 100, .sample = true}};
     ljmd::Simulation simulation(crystal);
     const ljmd::RunResult result = simulation.run();

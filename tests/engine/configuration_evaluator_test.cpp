@@ -24,7 +24,7 @@ Eigen::Matrix3Xd positions_of(const State& state) {
 }
 
 ConfigurationEvaluator evaluator_of(const FluidSpec& spec, const Execution& execution = {}) {
-    return {spec.potential, spec.tail, spec.neighbors, execution};
+    return {spec.potential, spec.has_tail(), spec.neighbors, execution};
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ Change change(FluidSpec& spec, int member) {
             potential = PairPotential::lennard_jones("shifted", potential.cutoff());
             return {"potential"};
         case 6:
-            tail = true;
+            tail = false;
             return {"tail"};
         case 7:
             change(neighbors, 1);

@@ -37,6 +37,22 @@ class Decks(Case):
         self.assertRaisesText(ljmd.InputError, "deck.stages = [", of=ljmd.Deck.fluid().run)
         self.assertRaises(ljmd.InputError, ljmd.Deck().check)
 
+    def test_the_defaults_are_those_of_a_specification_in_cpp_and_of_a_deck(self):
+        known = ljmd.build()["defaults"]
+        fluid = ljmd.Deck.fluid()
+        lattice = known["system"].pop("lattice")
+        self.assertEqual({**fluid.system.pop("lattice")}, {"type": lattice["type"], "atoms": 4 * lattice["cells"]**3})
+        self.assertEqual(({**fluid.system}, {**fluid.potential}), (known["system"], known["potential"]))
+        # What the keywords of Deck.fluid and Stage leave out has its default in the deck, and so in C++.
+        stage = {**ljmd.Stage("production", known["stage"][0]["steps"])}
+        self.assertEqual(stage, {key: known["stage"][0][key] for key in stage})
+        fluid = ljmd.Deck.fluid()
+        fluid.stages = [ljmd.Stage("production", 0)]
+        every = ljmd.Deck({**ljmd.build()["defaults"], "title": "all defaults are said"})
+        few, all_of_them = ljmd.Simulation(fluid), ljmd.Simulation(every)
+        self.assertTrue(np.array_equal(few.positions, all_of_them.positions) and np.array_equal(few.velocities, all_of_them.velocities))
+        few.restore(all_of_them.checkpoint())  # which is refused for another specification
+
     def test_a_missing_file_is_an_input_error(self):
         self.assertRaisesText(ljmd.InputError, "nowhere.toml", of=lambda: ljmd.Deck.load("nowhere.toml"))
 

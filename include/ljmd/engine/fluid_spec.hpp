@@ -63,16 +63,21 @@ struct NeighborSpec {
 
 /// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact,
 /// what is done with them, and what is measured.
+///
+/// What nobody says is Verlet's argon near its triple point: 864 atoms in an fcc crystal, Lennard-Jones cut at 2.5
+/// sigma with tail corrections. Python's `Deck.fluid` has the same defaults; a deck has to say these.
 struct FluidSpec {
     /// Where the atoms are at the start. A configuration brings its own box, and its velocities if it has any.
     std::variant<LatticeStart, RandomStart, Configuration> start = LatticeStart{};
-    double density = 0.8;                    ///< N/V of a random start; of the crystal of a lattice start [sigma^-3]
-    std::optional<double> temperature = {};  ///< from which velocities are drawn [epsilon/k_B]; stages have their own
-    bool keep_velocities = true;             ///< those of a configuration that has any; else all are drawn
-    std::uint64_t seed = 1;                  ///< of all random numbers, but for stages with a seed of their own
+    double density = 0.8442;                    ///< N/V of a random start; of the crystal of a lattice start [sigma^-3]
+    std::optional<double> temperature = 0.722;  ///< of drawn velocities [epsilon/k_B]; stages may have their own
+    bool keep_velocities = true;                ///< those of a configuration that has any; else all are drawn
+    std::uint64_t seed = 1;                     ///< of all random numbers, but for stages with a seed of their own
 
-    PairPotential potential = PairPotential::lennard_jones("shifted", {2.5, 0.0});
-    bool tail = false;  ///< correct energy and pressure for what the truncation removes, with g(r) = 1
+    PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    /// Whether energy and pressure are corrected for what the truncation removes, with g(r) = 1; none: where
+    /// PairPotential::takes_tail(). Only such a truncation can be.
+    std::optional<bool> tail = {};
     NeighborSpec neighbors = {};
     std::shared_ptr<ExternalForce> external = {};  ///< acts on the atoms beside the pair forces; null: none
 
@@ -82,6 +87,8 @@ struct FluidSpec {
 
     /// For messages that also name a temperature in kelvin.
     std::optional<SubstanceUnits> units = {};
+
+    [[nodiscard]] bool has_tail() const;
 
     /// The potential with its tail correction, if there is one.
     [[nodiscard]] Interaction interaction() const;

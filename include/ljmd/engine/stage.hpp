@@ -20,7 +20,7 @@ inline constexpr Index max_steps = 1'000'000'000'000'000;
 struct Stage {
     std::string name;  ///< for messages and results; unique in a run
     Choice integrator = {"velocity-verlet"};
-    double time_step = 0.0;                  ///< [tau], must be given: above 0
+    double time_step = 0.004;                ///< [tau]; a deck has to say it
     Index steps = 0;                         ///< with `until` the largest number of them
     std::optional<double> temperature = {};  ///< target of the thermostat [epsilon/k_B]; none: that of the start
     bool sample = false;                     ///< whether observables are measured

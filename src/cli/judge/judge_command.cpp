@@ -122,7 +122,7 @@ class Session {
             return;
         }
         const FluidSpec& spec = own_.spec;
-        const Problem problem = problem_with(read_start(directory, spec.potential, spec.tail));
+        const Problem problem = problem_with(read_start(directory, spec.potential, spec.has_tail()));
         if (json_text(directory / ExchangeFiles::problem) != problem_json(problem)) {
             throw InputError(fmt::format(
                 "{} is the problem of another deck, of other options or of another version of ljmd: give the command "

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ljmd/deck/tables/output_table.hpp"
-#include "ljmd/deck/tables/potential_table.hpp"
-#include "ljmd/deck/tables/system_table.hpp"
+#include "ljmd/engine/tables/potential_table.hpp"
+#include "ljmd/engine/tables/system_table.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/options/placed.hpp"
 

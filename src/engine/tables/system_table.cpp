@@ -1,4 +1,6 @@
-#include "ljmd/deck/tables/system_table.hpp"
+#include "ljmd/engine/tables/system_table.hpp"
+
+#include <algorithm>
 
 #include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/engine/mistakes.hpp"
@@ -8,6 +10,11 @@ namespace ljmd {
 namespace {
 
 constexpr const char* of_file = "file";
+
+std::string lattice_name(Lattice lattice) {
+    const std::vector<std::string> names = lattice_names();
+    return *std::ranges::find(names, lattice, find_lattice);
+}
 
 }  // namespace
 
@@ -108,6 +115,39 @@ bool SystemTable::wants_velocities_of_file() const {
 
 bool SystemTable::is_film() const {
     return lattice && density && !lattice->is_random() && ljmd::is_film(lattice->start(), *density);
+}
+
+std::variant<LatticeStart, RandomStart, Configuration> SystemTable::start() const {
+    if (!lattice) {
+        return Configuration{};
+    }
+    if (lattice->is_random()) {
+        return RandomStart{*lattice->atoms};
+    }
+    return lattice->start();
+}
+
+SystemTable system_table(const FluidSpec& spec, const std::string& file) {
+    SystemTable table;
+    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
+        LatticeTable& lattice = table.lattice.emplace();
+        lattice.type = lattice_name(crystal->lattice);
+        lattice.cells = crystal->cells;
+        lattice.layers = crystal->layers;
+        lattice.height = crystal->height;
+        table.density = spec.density;
+    } else if (const auto* random = std::get_if<RandomStart>(&spec.start)) {
+        LatticeTable& lattice = table.lattice.emplace();
+        lattice.type = LatticeTable::random_places;
+        lattice.atoms = random->atoms;
+        table.density = spec.density;
+    } else {
+        table.file = file;
+        table.velocities = spec.keep_velocities ? std::nullopt : std::optional<std::string>(SystemTable::maxwell);
+    }
+    table.temperature = spec.temperature;
+    table.seed = static_cast<Index>(spec.seed);
+    return table;
 }
 
 }  // namespace ljmd

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/options/placed.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
@@ -23,5 +24,8 @@ struct PotentialTable : Cutoff {
 
 /// The potential of a deck. @pre cutoff > 0; for `switched` 0 < switch_start < cutoff
 [[nodiscard]] PairPotential pair_potential_of(const PotentialTable& table);
+
+/// The table of a specification. @pre its potential is none of the program's own
+[[nodiscard]] PotentialTable potential_table(const FluidSpec& spec);
 
 }  // namespace ljmd

@@ -2,12 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/options/placed.hpp"
 
 namespace ljmd {
+
+// The tables of a deck that make a FluidSpec, and that one makes.
 
 /// [argon]: a real substance.
 struct ArgonTable {
@@ -55,6 +58,12 @@ struct SystemTable {
     [[nodiscard]] bool wants_velocities_of_file() const;
 
     [[nodiscard]] bool is_film() const;  ///< see is_film() of a FluidSpec
+
+    /// Where the atoms are at the start; an empty configuration for a file, which is not read here.
+    [[nodiscard]] std::variant<LatticeStart, RandomStart, Configuration> start() const;
 };
+
+/// The table of a specification. @param file  where a configuration to start from can be read
+[[nodiscard]] SystemTable system_table(const FluidSpec& spec, const std::string& file);
 
 }  // namespace ljmd

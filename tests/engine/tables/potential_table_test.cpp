@@ -1,4 +1,4 @@
-#include "ljmd/deck/tables/potential_table.hpp"
+#include "ljmd/engine/tables/potential_table.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/tables/potential_table.hpp"
+#include "ljmd/engine/tables/potential_table.hpp"
 
 #include "ljmd/engine/mistakes.hpp"
 
@@ -55,6 +55,17 @@ void PotentialTable::describe(TableDescription& description) {
 
 PairPotential pair_potential_of(const PotentialTable& table) {
     return PairPotential::make(table.type, table.truncation, table, table.parameters.at(table.type));
+}
+
+PotentialTable potential_table(const FluidSpec& spec) {
+    const PairPotential& potential = spec.potential;
+    PotentialTable table;
+    static_cast<Cutoff&>(table) = potential.cutoff();
+    table.type = potential.formula();
+    table.truncation = potential.truncation();
+    table.tail = PairPotential::takes_tail(table.truncation) ? std::optional(spec.has_tail()) : std::nullopt;
+    table.parameters[table.type] = potential.parameters();
+    return table;
 }
 
 }  // namespace ljmd
