@@ -56,8 +56,8 @@ std::string identity(const FluidSpec& spec, const Execution& execution) {
     // their box and their velocities in place of the start; units are for messages alone.
     const auto& [start, density, start_temperature, keep_velocities, seed, potential, tail, neighbors, external, stages,
                  sample_every, analyses, units] = spec;
-    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), spec.has_tail(), in_words(neighbors),
-                                   sample_every, seed, name(execution.precision()));
+    std::string text = fmt::format("{}; {}; {}; {}; {} {}", ljmd::identity(potential), spec.has_tail(),
+                                   in_words(neighbors), sample_every, seed, name(execution.precision()));
     for (const Stage& stage : stages) {
         text += fmt::format("; stage {} seed = {}", in_words(stage), stage.seed);
     }
