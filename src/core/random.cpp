@@ -1,13 +1,11 @@
 #include "ljmd/core/random.hpp"
 
 #include <Random123/philox.h>
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+
+#include "ljmd/core/elementary.hpp"
 
 namespace ljmd {
 
@@ -26,33 +24,37 @@ double fraction(std::uint64_t bits) {
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
-/// An unlimited sequence for algorithms of GSL, numbered by the third word of the counter.
-struct Sequence {
-    Philox::ctr_type counter;
-    Philox::key_type key;
-    Philox::ctr_type block{};
-    std::size_t left = 0;
+/// sqrt(-2 ln f): the distance from the origin of a point whose coordinates are two normal numbers. 1 - [0, 1) excludes
+/// zero, whose logarithm is infinite.
+double radius(double f) {
+    return std::sqrt(-2.0 * logarithm(1.0 - f));
+}
 
-    std::uint64_t next() {
-        if (left == 0) {
-            ++counter[2];
-            block = Philox{}(counter, key);
-            left = block.size();
+/// An unlimited sequence, numbered by the third word of the counter.
+class Sequence {
+  public:
+    Sequence(Philox::ctr_type counter, Philox::key_type key) : counter_(counter), key_(key) {}
+
+    double uniform() {
+        if (left_ == 0) {
+            ++counter_[2];
+            block_ = Philox{}(counter_, key_);
+            left_ = block_.size();
         }
-        return block[--left];
+        return fraction(block_[--left_]);
     }
+
+    double normal() {
+        const double distance = radius(uniform());
+        return distance * of_turns(uniform()).cosine;
+    }
+
+  private:
+    Philox::ctr_type counter_;
+    Philox::key_type key_;
+    Philox::ctr_type block_{};
+    std::size_t left_ = 0;
 };
-
-unsigned long next_word(void* sequence) {
-    return static_cast<Sequence*>(sequence)->next() >> 32U;
-}
-
-double next_fraction(void* sequence) {
-    return fraction(static_cast<Sequence*>(sequence)->next());
-}
-
-constexpr gsl_rng_type philox_type{"philox4x64", 0xffffffffUL, 0, sizeof(Sequence), [](void*, unsigned long) {},
-                                   next_word,    next_fraction};
 
 }  // namespace
 
@@ -63,19 +65,31 @@ Vec3 Random::uniform(Index step, Index atom) const {
 
 Vec3 Random::normal(Index step, Index atom) const {
     const auto bits = draw(seed_, stream_, step, atom);
-    // 1 - [0, 1) excludes zero, whose logarithm is infinite.
-    const double radius_a = std::sqrt(-2.0 * std::log(1.0 - fraction(bits[0])));
-    const double radius_b = std::sqrt(-2.0 * std::log(1.0 - fraction(bits[2])));
-    const double angle_a = 2.0 * std::numbers::pi * fraction(bits[1]);
-    const double angle_b = 2.0 * std::numbers::pi * fraction(bits[3]);
-    return {radius_a * std::cos(angle_a), radius_a * std::sin(angle_a), radius_b * std::cos(angle_b)};
+    const double radius_a = radius(fraction(bits[0]));
+    const double radius_b = radius(fraction(bits[2]));
+    const auto [sine_a, cosine_a] = of_turns(fraction(bits[1]));
+    return {radius_a * cosine_a, radius_a * sine_a, radius_b * of_turns(fraction(bits[3])).cosine};
 }
 
 double Random::gamma(Index step, Index atom, double shape) const {
-    Sequence sequence{{{static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0}},
-                      {{seed_, static_cast<std::uint64_t>(stream_)}}};
-    const gsl_rng generator{&philox_type, &sequence};
-    return gsl_ran_gamma(&generator, shape, 1.0);
+    Sequence sequence({{static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0}},
+                      {{seed_, static_cast<std::uint64_t>(stream_)}});
+    // With d = shape - 1/3 and c = 1/sqrt(9 d), d (1 + c x)^3 of a normal x is nearly such a number; the rest is done
+    // by rejection. Below 1 from a number of shape + 1, times u^(1/shape).
+    const double d = (shape < 1.0 ? shape + 1.0 : shape) - 1.0 / 3.0;
+    const double c = 1.0 / std::sqrt(9.0 * d);
+    while (true) {
+        const double x = sequence.normal();
+        const double root = 1.0 + c * x;
+        if (root <= 0.0) {
+            continue;
+        }
+        const double v = root * root * root;
+        const double u = 1.0 - sequence.uniform();
+        if (logarithm(u) < 0.5 * x * x + d * (1.0 - v + logarithm(v))) {
+            return shape < 1.0 ? d * v * exponential(logarithm(1.0 - sequence.uniform()) / shape) : d * v;
+        }
+    }
 }
 
 }  // namespace ljmd

@@ -5,10 +5,14 @@
 namespace ljmd {
 
 ExecutionOptions execution_options(const Deck& deck, int threads, const std::string& simd) {
-    const bool fluid = deck.kind() == DeckKind::fluid;
     return {.threads = threads > 0 ? threads : default_thread_count(),
             .simd = default_simd_level(simd),
-            .precision = fluid ? precision_of(deck.fluid().performance.precision) : Precision::double_precision};
+            .precision = precision_of(deck)};
+}
+
+Precision precision_of(const Deck& deck) {
+    return deck.kind() == DeckKind::fluid ? precision_of(deck.fluid().performance.precision)
+                                          : Precision::double_precision;
 }
 
 }  // namespace ljmd

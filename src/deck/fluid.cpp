@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
@@ -19,7 +20,7 @@ Start start_from_file(const SystemTable& system, const std::optional<SubstanceUn
     const auto atoms = static_cast<Index>(configuration.positions.size());
     Vec3 edges = configuration.edges;
     if (system.density) {
-        const double factor = std::cbrt(static_cast<double>(atoms) / (edges.prod() * *system.density));
+        const double factor = cube_root(static_cast<double>(atoms) / (edges.prod() * *system.density));
         edges *= factor;
         configuration.edges = edges;
         for (Vec3& r : configuration.positions) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -38,12 +39,9 @@ bool processor_has(SimdLevel level) {
     return false;
 }
 
-/// The level of AVX-512 that is made for this processor.
+/// The level of AVX-512 that is made for this processor, of those that have the same bits as all others.
 SimdLevel best_of_v4() {
     __builtin_cpu_init();
-    if (__builtin_cpu_is("intel") != 0) {
-        return SimdLevel::x86_64_v4_intel;
-    }
     // Zen 4: the processors of this family with AVX-512
     return __builtin_cpu_is("amdfam19h") != 0 ? SimdLevel::x86_64_v4_256 : SimdLevel::x86_64_v4;
 }
@@ -131,6 +129,38 @@ Precision precision_of(const std::string& wanted) {
         }
     }
     throw InputError(fmt::format("unknown precision '{}', allowed: double, mixed", wanted));
+}
+
+bool has_common_digits(SimdLevel level) {
+    return level != SimdLevel::x86_64_v4_intel;
+}
+
+bool fuses_single_precision(SimdLevel level) {
+    return level != SimdLevel::portable && level != SimdLevel::x86_64_v2;
+}
+
+std::string digits_rule(SimdLevel level, Precision precision) {
+    const std::string rule = has_common_digits(level) ? "common-1" : std::string(name(level));
+    if (precision == Precision::double_precision) {
+        return rule;
+    }
+    return rule + (fuses_single_precision(level) ? ", mixed" : ", mixed without fused products");
+}
+
+SimdLevel level_with_digits_of(const std::string& wanted, Precision precision, const std::vector<SimdLevel>& usable) {
+    const auto known = std::ranges::find(level_names, wanted);
+    if (known == level_names.end()) {
+        return usable_simd_level(wanted);  // which says so
+    }
+    const auto level = static_cast<SimdLevel>(known - level_names.begin());
+    std::optional<SimdLevel> found;
+    for (const SimdLevel here : usable) {
+        if (here == level) {
+            return level;
+        }
+        found = digits_rule(here, precision) == digits_rule(level, precision) ? here : found;
+    }
+    return found ? *found : usable_simd_level(wanted);
 }
 
 }  // namespace ljmd

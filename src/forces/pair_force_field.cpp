@@ -116,8 +116,9 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
     const FixedPoint& fixed_point = list.fixed_point();
     const bool mixed = precision_ == Precision::mixed;
     const void* pair = potential_.visit([](const auto& any) -> const void* { return &any; });
-    const PairKernel kernel =
-        pair_kernels(simd_).by_precision[static_cast<std::size_t>(precision_)].at(potential_.index())[energy ? 1 : 0];
+    const PairKernels& kernels = pair_kernels(simd_);
+    const auto precision = static_cast<std::size_t>(precision_);
+    const PairKernel kernel = kernels.by_precision[precision].at(potential_.index())[energy ? 1 : 0];
     const auto tiles = list.tiles();
     std::vector<PairKernelSums> sums(energy ? tiles.size() : 0);
     const double cutoff = potential_.cutoff().radius;
@@ -135,8 +136,7 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
                 grid, own, tile.ghosts, tile.cluster_count, atoms, [](double x, int) { return x; },
                 [](double dx) { return dx; }, far_away);
         }
-        const auto numbers = per_cluster * static_cast<std::size_t>(tile.cluster_count);
-        const auto partial = numbers * static_cast<std::size_t>(list.row_shape().atoms);
+        const auto partial = kernels.numbers_per_cluster[precision] * static_cast<std::size_t>(tile.cluster_count);
         workspace.partial_forces.resize(std::max(workspace.partial_forces.size(), partial));
         ghost_forces_[t].resize(per_cluster * static_cast<std::size_t>(tile.cluster_count - own.length()) + 1);
         const PairKernelTask task{

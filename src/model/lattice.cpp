@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/options/registry.hpp"
@@ -60,16 +61,16 @@ Index lattice_atoms(Lattice lattice, Index cells) {
 }
 
 NearestCells nearest_cells(Lattice lattice, Index atoms) {
-    const double exact = std::cbrt(static_cast<double>(atoms) / static_cast<double>(sites_per_cell(lattice)));
+    const double exact = cube_root(static_cast<double>(atoms) / static_cast<double>(sites_per_cell(lattice)));
     Index below = std::max<Index>(1, static_cast<Index>(std::floor(exact)));
-    while (lattice_atoms(lattice, below + 1) <= atoms) {  // cbrt may round below a whole number
+    while (lattice_atoms(lattice, below + 1) <= atoms) {  // the root may round below a whole number
         ++below;
     }
     return {below, lattice_atoms(lattice, below) == atoms ? below : below + 1};
 }
 
 Box cubic_box(Index atoms, double density) {
-    return Box(Vec3::Constant(std::cbrt(static_cast<double>(atoms) / density)));
+    return Box(Vec3::Constant(cube_root(static_cast<double>(atoms) / density)));
 }
 
 Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density) {

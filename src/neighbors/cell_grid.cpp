@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 
@@ -71,7 +72,7 @@ void append_range(std::vector<std::int32_t>& numbers, Index first, Index count) 
 void CellGrid::configure(const Box& box, double range, Index atoms) {
     const Vec3 fitting = box.edges() * (cells_per_range / (range * safety));
     const double max_cells = max_cells_per_atom * static_cast<double>(std::max<Index>(atoms, 1));
-    const double coarser = std::max(1.0, std::cbrt(fitting.cwiseMax(1.0).prod() / max_cells));
+    const double coarser = std::max(1.0, cube_root(fitting.cwiseMax(1.0).prod() / max_cells));
     for (int a = 0; a < 3; ++a) {
         const auto k = static_cast<std::size_t>(a);
         inner_[k] = static_cast<int>(std::max(1.0, std::floor(fitting[a] / coarser)));
@@ -87,7 +88,9 @@ void CellGrid::find_rows(double range) {
     const auto between = [&](int offset, int axis) { return std::max(0, std::abs(offset) - 1) / inverse_width_[axis]; };
     for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
         for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
-            const double left = range * range - std::pow(between(dy, 1), 2) - std::pow(between(dz, 2), 2);
+            const double along_y = between(dy, 1);
+            const double along_z = between(dz, 2);
+            const double left = range * range - along_y * along_y - along_z * along_z;
             if (left >= 0.0) {
                 rows_.push_back(
                     {dz * static_cast<std::ptrdiff_t>(layer()) + dy * static_cast<std::ptrdiff_t>(row_length()),

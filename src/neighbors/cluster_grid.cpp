@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 
@@ -78,7 +79,7 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms, std::opti
         }
         ++tiles_along_[longest];
     }
-    const double cube = std::cbrt(slots / density);  // edge of a cubic cluster
+    const double cube = cube_root(slots / density);  // edge of a cubic cluster
     for (std::size_t a = 0; a < 3; ++a) {
         const double edge = box.edges()[static_cast<Index>(a)];
         const double edge_of_tile = edge / tiles_along_[a];

@@ -315,6 +315,9 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
     tile.starts.clear();
     std::size_t end = 0;
     Index tests = 0;
+    constexpr Index slots_of_all = ClusterGrid::slots;
+    const bool halves = shape_.others < slots_of_all;
+    std::vector<std::int32_t> others;  // the second half of a row's list
     std::vector<ClusterGrid::Near> near;
     CandidatesOfCluster candidates(grid_, kernel, all);
     const ClusterGrid::Run columns = grid_.columns(number);
@@ -324,19 +327,34 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
         for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
             candidates.go_to(cluster, near);
             const Index atoms = grid_.atoms_of_cluster(cluster).count();
-            const Index slots = (cluster - neighborhood.own().first) * ClusterGrid::slots;
+            const Index first_slot = (cluster - neighborhood.own().first) * slots_of_all;
             for (Index k = 0; k < atoms; k += shape_.atoms) {
                 RowOfAtoms row{shape_};
                 for (Index n = 0; n < shape_.atoms && k + n < atoms; ++n) {
-                    row.x[n] = all.x[slots + k + n];
-                    row.y[n] = all.y[slots + k + n];
-                    row.z[n] = all.z[slots + k + n];
+                    row.x[n] = all.x[first_slot + k + n];
+                    row.y[n] = all.y[first_slot + k + n];
+                    row.z[n] = all.z[first_slot + k + n];
                 }
+                const std::size_t room =
+                    static_cast<std::size_t>(candidates.count() / slots_of_all) + list_kernel_slack;
+                make_room(tile.entries, end + 2 * room);
+                make_room(others, room);
                 tile.starts.push_back(static_cast<std::uint32_t>(end));
-                make_room(tile.entries,
-                          end + static_cast<std::size_t>(candidates.count() / shape_.others) + list_kernel_slack);
-                end += static_cast<std::size_t>(
-                    kernel.parts_near(candidates.read(), candidates.count(), row, range2, tile.entries.data() + end));
+                std::int32_t* const first = tile.entries.data() + end;
+                const bool in_upper = k >= shape_.others;  // the row's own part
+                const auto [lower, upper] =
+                    kernel.parts_near(candidates.read(), candidates.count(), row, range2,
+                                      in_upper ? others.data() : first, in_upper ? first : others.data());
+                end += static_cast<std::size_t>(in_upper ? upper : lower);
+                if (halves) {
+                    tile.starts.push_back(static_cast<std::uint32_t>(end));
+                    if (!in_upper && atoms > shape_.others) {
+                        tile.entries[end++] = static_cast<std::int32_t>(3 * first_slot) + shape_.others;
+                    }
+                    const int rest = in_upper ? lower : upper;
+                    std::copy_n(others.data(), rest, tile.entries.data() + end);
+                    end += static_cast<std::size_t>(rest);
+                }
                 tests += Index{candidates.count()} * shape_.atoms;
             }
         }

@@ -79,6 +79,15 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
+/// By which rule the digits are made; null where a function of the calling program takes part.
+Data digits_of(const Deck& deck, const Execution& execution) {
+    if (deck.given.potential || !deck.given.external.empty()) {
+        return nullptr;
+    }
+    return digits_rule(deck.kind() == DeckKind::few_body ? SimdLevel::portable : execution.simd(),
+                       execution.precision());
+}
+
 RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation)
     : deck_(deck),
       execution_(std::move(execution)),
@@ -107,6 +116,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"flags", build.flags},
                    {"simd", few_body ? Data(nullptr) : Data(name(execution_.simd()))},
                    {"precision", name(execution_.precision())},
+                   {"digits", digits_of(deck_, execution_)},
                    {"threads", execution_.threads()},
                    {"host", host()},
                    {"title", deck_.title},

@@ -1,5 +1,6 @@
 """What tells people about the program and what begins a first run: help, version, init, the manual page, completion."""
 
+import json
 import os
 import pty
 import re
@@ -13,7 +14,7 @@ import waiting
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = {"run", "resume", "check", "compare", "export", "bench", "eos", "reproduce", "sweep", "analyze", "info", "init",
-            "help", "version", "completion"}
+            "help", "version", "verify", "completion"}
 
 
 def need(program):
@@ -44,6 +45,19 @@ def help_of_no_command(t):
 
 def version(t):
     t.equal(t.run_well("version").out, t.run_well("--version").out, "version")
+
+
+def verify_knows_the_digits_of_this_version_on_every_level(t):
+    found = json.loads(t.run_well("info", "--json").out)
+    for level in found["simd_levels"]:
+        if level == "x86-64-v4-intel":
+            t.contains(t.expect(2, t.run("verify", "--simd", level)).err, "has digits of its own")
+            continue
+        result = json.loads(t.run_well("verify", "--simd", level, "--threads", 2, "--json").out)
+        t.check(result["right"] and len(result["runs"]) == 3, f"{level}: {result['runs']}")
+        t.equal([run["wanted"] for run in result["runs"]], [run["found"] for run in result["runs"]], level)
+    t.contains(t.run_well("verify").out, "those that this version has on every machine")
+    t.equal(t.files(), [], "files")
 
 
 def init_writes_the_deck_of_the_readme(t):
@@ -211,6 +225,6 @@ def no_other_shell(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (help_of_commands, help_of_no_command, version, init_writes_the_deck_of_the_readme,
+            for test in (help_of_commands, help_of_no_command, version, verify_knows_the_digits_of_this_version_on_every_level, init_writes_the_deck_of_the_readme,
                          init_writes_any_example, init_replaces_nothing_unasked, man_page, man_page_without_warnings,
                          man_page_for_mandoc, bash_completes, zsh_completes, fish_completes, no_other_shell)]

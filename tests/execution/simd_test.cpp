@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
 #include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"
@@ -40,7 +41,7 @@ TEST_CASE("the default SIMD level is the highest usable one made for this proces
             CHECK(best == highest);
         } else {
 #if defined(__x86_64__)
-            CHECK((best == SimdLevel::x86_64_v4_intel) == (__builtin_cpu_is("intel") != 0));
+            CHECK(has_common_digits(best));
             CHECK((best == SimdLevel::x86_64_v4_256) == (__builtin_cpu_is("amdfam19h") != 0));
 #endif
         }
@@ -51,6 +52,23 @@ TEST_CASE("the default SIMD level is the highest usable one made for this proces
     }
     const test::EnvironmentGuard wrong("LJMD_SIMD", "fastest");
     CHECK_THROWS_AS(default_simd_level(), InputError);
+}
+
+TEST_CASE("a run is continued at its level, or at the highest with the same digits") {
+    using enum SimdLevel;
+    const std::vector<SimdLevel> old_processor{portable, x86_64_v2, x86_64_v3};
+    constexpr Precision full = Precision::double_precision;
+    CHECK(level_with_digits_of("x86-64-v2", full, old_processor) == x86_64_v2);
+    CHECK(level_with_digits_of("x86-64-v4", full, old_processor) == x86_64_v3);
+    CHECK(level_with_digits_of("x86-64-v4", Precision::mixed, old_processor) == x86_64_v3);
+    CHECK(level_with_digits_of("x86-64-v4-256", full, {portable, x86_64_v2}) == x86_64_v2);
+    CHECK(digits_rule(x86_64_v4, Precision::mixed) != digits_rule(x86_64_v2, Precision::mixed));
+    CHECK(digits_rule(x86_64_v4, full) != digits_rule(x86_64_v4_intel, full));
+    const auto usable = usable_simd_levels();
+    if (std::ranges::find(usable, x86_64_v4) == usable.end()) {
+        CHECK_THROWS_WITH(level_with_digits_of("x86-64-v4-intel", full), Catch::Contains("cannot be used here"));
+    }
+    CHECK_THROWS_WITH(level_with_digits_of("avx3", full), Catch::Contains("unknown SIMD level"));
 }
 
 TEST_CASE("precisions have names") {

@@ -33,7 +33,8 @@ class Random {
 
     /// A number from the gamma distribution with mean and variance `shape`: half the sum of 2 shape squared normal
     /// numbers. Independent of the stream's numbers for other atoms or steps, but not of uniform() and normal() for
-    /// this one. By GSL (Marsaglia and Tsang 2000, doi:10.1145/358407.358414).
+    /// this one. Source: Marsaglia and Tsang 2000,
+    /// doi:10.1145/358407.358414.
     /// @pre shape > 0
     [[nodiscard]] double gamma(Index step, Index atom, double shape) const;
 

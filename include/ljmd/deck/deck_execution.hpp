@@ -14,4 +14,7 @@ namespace ljmd {
 /// these are used
 [[nodiscard]] ExecutionOptions execution_options(const Deck& deck, int threads = 0, const std::string& simd = {});
 
+/// Of the pair sum; double for few bodies.
+[[nodiscard]] Precision precision_of(const Deck& deck);
+
 }  // namespace ljmd

@@ -13,7 +13,8 @@ namespace ljmd {
 /// divisions are slow and whose multipliers also add, as Intel's do. `portable` is the same code compiled for the
 /// processor that the rest of the program is compiled for.
 ///
-/// Results of two levels differ by rounding, because a sum is split into one partial sum per lane.
+/// In double precision all but v4_intel have the same digits: they add in one order, and fuse no product with a sum.
+/// See digits_rule() and docs/digits.md.
 enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256, x86_64_v4_intel };
 
 /// "portable", "x86-64-v2", ...
@@ -28,8 +29,8 @@ enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256,
 /// The level with this name. @throws InputError if it is unknown, or not available in this processor or program
 [[nodiscard]] SimdLevel usable_simd_level(const std::string& name);
 
-/// The highest usable level that is made for this processor: with AVX-512 v4_intel on Intel's, v4_256 on Zen 4, v4 on
-/// others.
+/// The highest usable level that is made for this processor, of those with the common digits: with AVX-512 v4_256 on
+/// Zen 4, v4 on others.
 [[nodiscard]] SimdLevel best_simd_level();
 
 /// The level named here, else by the environment variable LJMD_SIMD; none: the best one is to be taken.
@@ -52,5 +53,20 @@ enum class Precision {
 
 /// @throws InputError for another name
 [[nodiscard]] Precision precision_of(const std::string& name);
+
+/// Whether the level adds in the order of all others but v4_intel.
+[[nodiscard]] bool has_common_digits(SimdLevel level);
+
+/// Whether products in single precision are fused with sums: v2 and `portable` may lack the instruction.
+[[nodiscard]] bool fuses_single_precision(SimdLevel level);
+
+/// By which rule the digits of a trajectory are made: "common-1", for example. Runs of one version by the same rule
+/// have the same bits on every machine.
+[[nodiscard]] std::string digits_rule(SimdLevel level, Precision precision);
+
+/// The level with this name if it is one of the usable ones, else the last of these with the same digits.
+/// @throws InputError if there is none
+[[nodiscard]] SimdLevel level_with_digits_of(const std::string& name, Precision precision,
+                                             const std::vector<SimdLevel>& usable = usable_simd_levels());
 
 }  // namespace ljmd

@@ -33,10 +33,11 @@ void each_repeated(None);
 /// code.
 namespace ljmd::simd {
 
-/// a b + c
+/// a b + c, in double precision rounded twice, so that all levels have the same bits; in single precision once, where
+/// there is an instruction for it. The level for Intel's processors, which has bits of its own, rounds once.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> c) {
-    if constexpr (requires { native::multiply_add(a, b, c); }) {
+    if constexpr ((multipliers_add || sizeof(T) < sizeof(double)) && requires { native::multiply_add(a, b, c); }) {
         return native::multiply_add(a, b, c);
     } else {
         return a * b + c;

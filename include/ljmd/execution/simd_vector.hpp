@@ -55,7 +55,7 @@ struct Vec {
     LJMD_INLINE friend Vec operator-(Vec a) { return Vec(-a.raw); }
     LJMD_INLINE Vec& operator+=(Vec b) { return *this = *this + b; }
 
-    /// a b + c, rounded once where the level has an instruction for it (v3, v4), else twice.
+    /// a b + c, see multiply_add() of raw vectors.
     LJMD_INLINE friend Vec multiply_add(Vec a, Vec b, Vec c) {
         return Vec(simd::multiply_add<T, lanes_>(a.raw, b.raw, c.raw));
     }

@@ -20,7 +20,7 @@ class FixedPoint {
     /// For points up to `halo` outside the box. @pre halo >= 0
     FixedPoint(const Box& box, double halo)
         : origin_(0.5 * box.edges()),
-          unit_(std::exp2(std::ceil(std::log2((0.5 * box.edges().maxCoeff() + halo) / largest)))),
+          unit_(power_of_two((0.5 * box.edges().maxCoeff() + halo) / largest)),
           per_unit_(1.0 / unit_) {}
 
     /// Length of one unit [sigma].
@@ -46,6 +46,13 @@ class FixedPoint {
 
   private:
     static constexpr double largest = 0x1p29;
+
+    /// The smallest power of two that is not below x.
+    static double power_of_two(double x) {
+        int exponent = 0;
+        const double mantissa = std::frexp(x, &exponent);  // from 0.5 to 1
+        return std::ldexp(1.0, mantissa > 0.5 ? exponent : exponent - 1);
+    }
 
     Vec3 origin_ = Vec3::Zero();
     double unit_ = 1.0;

@@ -67,12 +67,15 @@ class VerletList {
     /// parts that any of its atoms has on its list.
     struct Tile {
         /// Cluster parts, by the numbers of clusters within the tile. They belong to clusters that come after the row's
-        /// own, and to ghost clusters. The row's own cluster is not listed; its pairs are computed without an entry.
-        /// The part that begins at slot k of cluster c is the entry 12 c + k, the index of its first x in
-        /// TilePositions. After the last row follow list_kernel_slack entries of cluster 0, for kernels that read
-        /// ahead.
+        /// own, and to ghost clusters; and the upper half of the row's own cluster, if the row lies in the lower one.
+        /// The part that the row lies in is not listed; its pairs are computed without an entry. Where parts are halves
+        /// of clusters, those of the half that the row lies in come first, then those of the other half. So each half
+        /// has sums of its own. The part that begins at slot k of cluster c is the entry 12 c + k, the index of its
+        /// first x in TilePositions. After the last row follow list_kernel_slack entries of cluster 0, for kernels that
+        /// read ahead.
         std::vector<std::int32_t> entries;
-        /// Index of each row's first entry, followed by the number of entries.
+        /// Index of each row's first entry, and where parts are halves of clusters of the first entry of its second
+        /// half; then the number of entries.
         std::vector<std::uint32_t> starts;
         std::vector<ClusterGrid::GhostClusters> ghosts;
         std::int32_t cluster_count = 0;  ///< ghosts included
@@ -153,6 +156,7 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
         }
     }
     const std::uint32_t* row = tile.starts.data();
+    const Index halves = ClusterGrid::slots / built_for_shape_.others;
     const auto meet = [&](Index i, const AtomRange& others, const Vec3& shift) {
         const Vec3 from = r.col(i) - shift;  // exact on the coordinate grid
         for (Index j = others.first; j < others.last; ++j) {
@@ -162,16 +166,19 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
     for (Index c = 0; c < own.length(); ++c) {
         const auto [first, last] = clusters[static_cast<std::size_t>(c)].atoms;
         for (Index i = first; i < last; ++i) {
-            const std::uint32_t* starts = row + (i - first) / built_for_shape_.atoms;
+            const std::uint32_t* starts = row + halves * ((i - first) / built_for_shape_.atoms);
             meet(i, {i + 1, last}, Vec3::Zero());
-            for (std::uint32_t e = starts[0]; e < starts[1]; ++e) {
+            for (std::uint32_t e = starts[0]; e < starts[halves]; ++e) {
                 const auto number = static_cast<std::size_t>(tile.entries[e] / (3 * ClusterGrid::slots));
+                if (number == static_cast<std::size_t>(c)) {
+                    continue;
+                }
                 const Index slot = tile.entries[e] % (3 * ClusterGrid::slots);
                 const auto& [all, shift] = clusters[number];
                 meet(i, {all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)}, shift);
             }
         }
-        row += (last - first + built_for_shape_.atoms - 1) / built_for_shape_.atoms;
+        row += halves * ((last - first + built_for_shape_.atoms - 1) / built_for_shape_.atoms);
     }
 }
 

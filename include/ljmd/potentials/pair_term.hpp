@@ -2,12 +2,19 @@
 
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
+
 namespace ljmd {
 
 /// a b + c. Kernels' vectors have an overload that rounds only once on processors that can.
 template <class Real>
 Real multiply_add(Real a, Real b, Real c) {
     return a * b + c;
+}
+
+/// e^x with the same bits on every machine. Kernels' vectors have an overload.
+inline double exp(double x) {
+    return exponential(x);
 }
 
 /// Contribution of a pair: energy u(r) and w(r) = -u'(r)/r, so that the force on atom i is w (r_i - r_j) and the virial

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bodies.hpp"
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 
 namespace ljmd {
@@ -15,9 +16,9 @@ class Pendulum : public ForceField {
     Evaluation compute(State& state, Request request) override {
         return sum_over_bodies(state, request, [this](const Body& body) -> FieldTerm {
             const double angle = body.position.x();
-            const double half_chord = std::sin(0.5 * angle);  // 1 - cos a = 2 sin^2(a/2) without cancellation
-            const double moment = body.mass * strength_;      // m l^2 g/l = m g l
-            return {2.0 * moment * half_chord * half_chord, Vec3(-moment * std::sin(angle), 0.0, 0.0)};
+            const double half_chord = sine(0.5 * angle);  // 1 - cos a = 2 sin^2(a/2) without cancellation
+            const double moment = body.mass * strength_;  // m l^2 g/l = m g l
+            return {2.0 * moment * half_chord * half_chord, Vec3(-moment * sine(angle), 0.0, 0.0)};
         });
     }
 

@@ -33,6 +33,11 @@ constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 template <class V>
 constexpr int parts_per_cluster = slots / others_per_row<V>;
 
+/// Atoms of a cluster whose forces on others are added up apart from those of the next ones. It is the same at all
+/// levels, as the order of sums is: 2 in double precision, 4 in single precision, the widest rows.
+template <class V>
+constexpr int reaction_atoms = sizeof(typename V::Value) == sizeof(double) ? 2 : 4;
+
 /// The coordinates of a row's atoms, each repeated for all slots of a part.
 template <class V, class T>
 LJMD_INLINE simd::RawVector<T, V::lanes> of_row(const T* coordinates) {

@@ -49,29 +49,83 @@ class Sums {
 
 /// Self-interaction mask: added to the squared distances between a row and the parts of its own cluster, so that of two
 /// atoms of a cluster only the earlier one meets the later one, and none meets itself. The number is larger than any
-/// squared cutoff, in units of FixedPoint, too.
+/// squared cutoff, in units of FixedPoint, too. It is needed for the part that the row itself lies in; earlier parts of
+/// its cluster are not met, later ones as those of other clusters.
 template <class V>
 struct SelfPairMask {
-    typename V::Value of_row[rows_per_cluster<V>][parts_per_cluster<V>][V::lanes] = {};
+    typename V::Value of_row[rows_per_cluster<V>][V::lanes] = {};
     constexpr SelfPairMask() {
         constexpr std::size_t atoms = atoms_per_row<V>;
         constexpr std::size_t others = others_per_row<V>;
         for (std::size_t atom = 0; atom < slots; ++atom) {
-            for (std::size_t other = 0; other <= atom; ++other) {
-                of_row[atom / atoms][other / others][atom % atoms * others + other % others] = typename V::Value(1e30);
+            for (std::size_t other = atom / others * others; other <= atom; ++other) {
+                of_row[atom / atoms][atom % atoms * others + other % others] = typename V::Value(1e30);
             }
         }
     }
 };
 
-/// Energy and virial of a tile. Each atom of its own and ghost clusters has one position in the tile, so the virial,
-/// the sum over pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
+/// Energies of a tile, in double: sums over even and over odd atoms of the rows' clusters, by slots that they meet. In
+/// single precision those of the first two atoms of a cluster are added to those of the last two before.
 template <class V>
-class EnergyAndVirial {
+class EnergySum {
   public:
-    /// @param u  energies of a row, by lanes
-    LJMD_INLINE void add_row(V u) { u_ += in_double(u); }
+    using Rows = typename V::Raw[parts_per_cluster<V>][rows_per_cluster<V>];
 
+    /// @param u  energies of the rows of a cluster, by parts that they meet and lanes; 0 for rows without an atom
+    LJMD_INLINE void add_cluster(const Rows& u) {
+        for (std::size_t part = 0; part < parts; ++part) {
+            if constexpr (rows == 1) {
+                sums_[0][part] += in_double(V(u[part][0])).raw;
+            } else if constexpr (sizeof(typename V::Value) == sizeof(float)) {
+                sums_[0][part] += simd::widened<V::lanes>(u[part][0]) + simd::widened<V::lanes>(u[part][1]);
+            } else {
+                for (std::size_t row = 0; row < rows; ++row) {
+                    sums_[row % parities][part] += u[part][row];
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] double value() const {
+        double even_and_odd[2][slots];
+        __builtin_memcpy(even_and_odd, by_atoms().of, sizeof even_and_odd);
+        double of_slot[slots];
+        for (std::size_t k = 0; k < slots; ++k) {
+            of_slot[k] = even_and_odd[0][k] + even_and_odd[1][k];
+        }
+        return (of_slot[0] + of_slot[2]) + (of_slot[1] + of_slot[3]);
+    }
+
+  private:
+    static constexpr std::size_t rows = rows_per_cluster<V>;
+    static constexpr std::size_t parts = parts_per_cluster<V>;
+    static constexpr std::size_t others = others_per_row<V>;
+    static constexpr std::size_t parities = atoms_per_row<V> == 1 ? 2 : 1;
+    static constexpr int lanes = rows == 1 ? V::lanes / 2 : V::lanes;
+
+    struct ByAtoms {
+        double of[2][slots];
+    };
+    [[nodiscard]] ByAtoms by_atoms() const {
+        ByAtoms all{};
+        for (std::size_t parity = 0; parity < parities; ++parity) {
+            for (std::size_t part = 0; part < parts; ++part) {
+                for (std::size_t lane = 0; lane < std::size_t{lanes}; ++lane) {
+                    all.of[parity + lane / others][part * others + lane % others] = sums_[parity][part][lane];
+                }
+            }
+        }
+        return all;
+    }
+
+    simd::RawVector<double, lanes> sums_[parities][parts] = {};
+};
+
+/// Virial of a tile. Each atom of its own and ghost clusters has one position in the tile, so the virial, the sum over
+/// pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
+class VirialSum {
+  public:
     /// @param x, y, z  coordinates of a cluster's slots
     /// @param f        forces on its atoms from all pairs of the tile; 0 for slots without an atom
     LJMD_INLINE void add_cluster(Four x, Four y, Four z, const Four (&f)[3]) {
@@ -83,14 +137,12 @@ class EnergyAndVirial {
         yz_ += y * f[2];
     }
 
-    [[nodiscard]] PairKernelSums sums() const {
-        return {sum(u_),
-                {simd::sum_of<slots>(xx_), simd::sum_of<slots>(yy_), simd::sum_of<slots>(zz_), simd::sum_of<slots>(xy_),
-                 simd::sum_of<slots>(xz_), simd::sum_of<slots>(yz_)}};
+    [[nodiscard]] std::array<double, 6> value() const {
+        return {simd::sum_of<slots>(xx_), simd::sum_of<slots>(yy_), simd::sum_of<slots>(zz_),
+                simd::sum_of<slots>(xy_), simd::sum_of<slots>(xz_), simd::sum_of<slots>(yz_)};
     }
 
   private:
-    decltype(in_double(V())) u_{0};
     Four xx_{}, yy_{}, zz_{}, xy_{}, xz_{}, yz_{};
 };
 
@@ -105,26 +157,26 @@ class Row {
                     const std::int32_t* entries)
         : arithmetic_(arithmetic), pair_(pair), cutoff2_(cutoff2), partial_(partial), entry_(entries) {}
 
-    /// Meet the row's own cluster, then the entries of its list.
-    /// @param own    entry of the cluster, as a whole
-    /// @param first  first part of it that has a slot after the row's first atom
-    /// @param mask   see SelfPairMask; for that part and the following ones
-    /// @param end    end of the list
-    LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
-                              const std::int32_t* end) {
+    /// Meet the part that the row lies in and the parts of the first half of its list, then those of the second half.
+    /// So each half of the slots of clusters has sums of its own, as each slot has where parts are whole clusters.
+    /// @param own     entry of the part that the row lies in
+    /// @param mask    see SelfPairMask
+    /// @param middle  where the second half of the list begins: at its end for parts that are whole clusters
+    /// @param end     of the list
+    LJMD_INLINE void meet_all(std::size_t own, const Real* mask, const std::int32_t* middle, const std::int32_t* end) {
         if constexpr (by_twos) {
-            meet_by_twos(own, first, mask, end);
+            meet_by_twos(own, mask, middle, end);
         } else {
-            meet_one_by_one(own, first, mask, end);
+            meet_one_by_one(own, mask, middle, end);
         }
     }
 
-    Sums<Arithmetic, with_energy> sums;
+    Sums<Arithmetic, with_energy> sums;        ///< over the half of the slots that was met last
+    Sums<Arithmetic, with_energy> first_sums;  ///< over the other half, if there are two
 
   private:
-    static constexpr std::size_t width = atoms_per_row<V>;
-    static constexpr std::size_t others = others_per_row<V>;
-    static constexpr std::size_t parts = parts_per_cluster<V>;
+    static constexpr std::size_t reacting = reaction_atoms<V>;
+    static constexpr bool has_halves = parts_per_cluster<V> == 2;
     using Started = PendingDistance<Arithmetic, Pair::takes_root>;
 
     /// Two parts in progress. No PairDistance here: gcc 12 would need more registers for a second copy of r^2.
@@ -144,21 +196,27 @@ class Row {
     }
 
     LJMD_INLINE void meet(const Separation<V>& d, const Started& begun, std::size_t there) {
-        sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
+        sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * reacting);
     }
 
-    /// Meet a part of the row's own cluster. @param mask  see SelfPairMask; for that part
-    LJMD_INLINE void meet_own(std::size_t there, const Real* mask) {
-        const Separation<V> d = separation_from_own(there, mask);
-        meet(d, Started(arithmetic_, d.square), there);
+    LJMD_INLINE void end_first_half() {
+        first_sums = sums;
+        sums = {};
     }
 
-    LJMD_INLINE void meet_one_by_one(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
+    LJMD_INLINE void meet_one_by_one(std::size_t own, const Real* mask, const std::int32_t* middle,
                                      const std::int32_t* end) {
         Separation<V> next = arithmetic_.separation(place(0));
-        for (std::size_t part = first; part < parts; ++part, ++mask) {
-            meet_own(own + part * others, *mask);
+        const Separation<V> d = separation_from_own(own, mask);
+        meet(d, Started(arithmetic_, d.square), own);
+        meet_until(middle, next);
+        if constexpr (has_halves) {
+            end_first_half();
+            meet_until(end, next);
         }
+    }
+
+    LJMD_INLINE void meet_until(const std::int32_t* end, Separation<V>& next) {
         while (entry_ < end) {
             const Separation<V> d = next;
             const std::size_t now = place(0);
@@ -168,17 +226,12 @@ class Row {
         }
     }
 
-    LJMD_INLINE void meet_by_twos(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
+    LJMD_INLINE void meet_by_twos(std::size_t own, const Real* mask, const std::int32_t* middle,
                                   const std::int32_t* end) {
-        static_assert(width > 1, "the last row of single atoms has no part of its own cluster left to begin with");
-        for (; first + 1 < parts; ++first, ++mask) {
-            meet_own(own + first * others, *mask);
-        }
-        const std::size_t last_own = own + first * others;
         Two now, next;
-        const bool odd = (end - entry_) % 2 != 0;
-        now.d[0] = separation_from_own(last_own, *mask);
-        if (odd) {  // the first entry of the list goes with the row's own cluster
+        const bool odd = (middle - entry_) % 2 != 0;
+        now.d[0] = separation_from_own(own, mask);
+        if (odd) {  // the first entry of the list goes with the row's own part
             now.d[1] = arithmetic_.separation(place(0));
             Started::begin(arithmetic_, now.d[0].square, now.d[1].square, now.begun);
         } else {
@@ -190,16 +243,39 @@ class Row {
         if (more) {
             begin(next, 0);
         }
-        meet(now.d[0], now.begun[0], last_own);
+        meet(now.d[0], now.begun[0], own);
         if (odd) {
             meet(now.d[1], now.begun[1], first_entry);
         }
-        while (more && take_turn(next, now, end) && take_turn(now, next, end)) {
+        if constexpr (has_halves) {
+            while (entry_ < middle) {
+                take_turn(next, now, end);
+                if (entry_ == middle) {
+                    next = now;
+                    break;
+                }
+                take_turn(now, next, end);
+            }
+            end_first_half();
+            while (end - entry_ > 1) {
+                take_turn(next, now, end);
+                if (end - entry_ <= 1) {
+                    next = now;
+                    break;
+                }
+                take_turn(now, next, end);
+            }
+            if (entry_ < end) {
+                meet(next.d[0], next.begun[0], place(0));
+            }
+        } else {
+            while (more && take_turn(next, now, end) && take_turn(now, next, end)) {
+            }
         }
     }
 
     /// Meet two parts while the next two are begun. `now` and `next` have registers of their own, so nothing is moved.
-    /// @return false at the end of the list
+    /// @return false at the end of the list. Of an odd number the last one is begun with what follows the list.
     LJMD_INLINE bool take_turn(const Two& now, Two& next, const std::int32_t* end) {
         const bool more = end - entry_ > 2;
         if (more) {
@@ -232,15 +308,19 @@ template <class Arithmetic, bool with_energy, class Pair>
     using Real = typename V::Value;
     static constexpr SelfPairMask<V> mask;
     constexpr std::size_t width = atoms_per_row<V>;
+    constexpr std::size_t others = others_per_row<V>;
+    constexpr std::size_t parts = parts_per_cluster<V>;
+    constexpr std::size_t reacting = reaction_atoms<V>;
     constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
     Arithmetic arithmetic(task);
     const V cutoff2(task.cutoff2 / (arithmetic.unit() * arithmetic.unit()));
-    EnergyAndVirial<V> total;
+    EnergySum<V> energy;
+    VirialSum virial;
     const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
     const auto clusters = static_cast<std::size_t>(task.clusters);
-    // Minus the forces on the atoms of a cluster, in separate lanes for each atom of a row. They are set to zero where
-    // they are read for the last time, because they lie in the L1 cache then; a pass of its own would cost more.
+    // Minus the forces on the atoms of a cluster, in separate lanes for reacting atoms. They are set to zero where they
+    // are read for the last time, because they lie in the L1 cache then; a pass of its own would cost more.
     auto* const partial = static_cast<Real*>(task.partial_forces);
     constexpr std::size_t axis = partial_forces<V>;
     const std::uint32_t* start = task.starts;
@@ -248,11 +328,15 @@ template <class Arithmetic, bool with_energy, class Pair>
         const std::size_t own = cluster * stride;
         const std::size_t first_atom = task.first_atoms[cluster];
         const std::size_t atoms = task.first_atoms[cluster + 1] - first_atom;
-        typename V::Raw sums_of_rows[3][rows_per_cluster<V>];
-        if (atoms + width <= slots) {
-            __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);  // some rows have no atom
+        typename V::Raw sums_of_rows[3][parts][rows_per_cluster<V>];
+        typename EnergySum<V>::Rows energies;
+        if (atoms + width <= slots) {  // some rows have no atom
+            __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);
+            if constexpr (with_energy) {
+                __builtin_memset(energies, 0, sizeof energies);
+            }
         }
-        for (std::size_t k = 0; k < atoms; k += width, ++start) {
+        for (std::size_t k = 0; k < atoms; k += width, start += parts) {
             if (k + width <= atoms) {
                 arithmetic.go_to(arithmetic.cluster(own) + k);
             } else {
@@ -265,24 +349,36 @@ template <class Arithmetic, bool with_energy, class Pair>
                 }
                 arithmetic.go_to(there);
             }
-            Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
             // With one part it is always 0. Saying so to the compiler makes AVX2's mixed kernel 4 % faster.
-            const std::size_t first = parts_per_cluster<V> == 1 ? 0 : (k + 1) / others_per_row<V>;
-            row.meet_all(own, first, mask.of_row[k / width] + first, task.entries + start[1]);
-            sums_of_rows[0][k / width] = row.sums.fx.raw;
-            sums_of_rows[1][k / width] = row.sums.fy.raw;
-            sums_of_rows[2][k / width] = row.sums.fz.raw;
-            if constexpr (with_energy) {
-                total.add_row(row.sums.u);
+            const std::size_t part = parts == 1 ? 0 : k / others;
+            Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial + k % reacting * others,
+                                                   task.entries + start[0]);
+            row.meet_all(own + part * others, mask.of_row[k / width], task.entries + start[1],
+                         task.entries + start[parts]);
+            const auto keep = [&](const auto& of_row, std::size_t of_part) {
+                sums_of_rows[0][of_part][k / width] = of_row.fx.raw;
+                sums_of_rows[1][of_part][k / width] = of_row.fy.raw;
+                sums_of_rows[2][of_part][k / width] = of_row.fz.raw;
+                if constexpr (with_energy) {
+                    energies[of_part][k / width] = of_row.u.raw;
+                }
+            };
+            if constexpr (parts == 1) {
+                keep(row.sums, 0);
+            } else {
+                keep(row.first_sums, part);
+                keep(row.sums, 1 - part);
             }
         }
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = (sums_of_atoms<Real>(sums_of_rows[a]) - take_from_others<V>(partial + own * width + a * axis)) *
-                       arithmetic.unit();
+            force[a] =
+                (sums_of_atoms<Real>(sums_of_rows[a]) - take_from_others<V>(partial + own * reacting + a * axis)) *
+                arithmetic.unit();
         }
         if constexpr (with_energy) {
-            total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
+            energy.add_cluster(energies);
+            virial.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
         }
         write_forces<vector_stride>(force, atoms, task.forces + vector_stride * first_atom);
     }
@@ -290,16 +386,16 @@ template <class Arithmetic, bool with_energy, class Pair>
         const std::size_t ghost = cluster * stride;
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = take_from_others<V>(partial + ghost * width + a * axis) * -arithmetic.unit();
+            force[a] = take_from_others<V>(partial + ghost * reacting + a * axis) * -arithmetic.unit();
         }
         write_forces<3>(force, slots, task.ghost_forces + (ghost - own_clusters * stride));
         if constexpr (with_energy) {
-            total.add_cluster(arithmetic.places(ghost, 0), arithmetic.places(ghost, 1), arithmetic.places(ghost, 2),
-                              force);
+            virial.add_cluster(arithmetic.places(ghost, 0), arithmetic.places(ghost, 1), arithmetic.places(ghost, 2),
+                               force);
         }
     }
     if constexpr (with_energy) {
-        *sums = total.sums();
+        *sums = {energy.value(), virial.value()};
     }
 }
 
@@ -312,6 +408,7 @@ template <class V>
 constexpr RowShape row_shape{atoms_per_row<V>, others_per_row<V>};
 
 constexpr PairKernels kernels{{row_shape<DoubleArithmetic::V>, row_shape<MixedArithmetic::V>},
+                              {3 * partial_forces<DoubleArithmetic::V>, 3 * partial_forces<MixedArithmetic::V>},
                               {kernels_for<DoubleArithmetic>(static_cast<const AnyPair*>(nullptr)),
                                kernels_for<MixedArithmetic>(static_cast<const AnyPair*>(nullptr))}};
 

@@ -23,8 +23,8 @@ struct PairKernelTask {
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;              ///< 12 numbers per cluster and atom of a row, zero before and after the call;
-                                       ///< double, float if mixed
+    void* partial_forces;              ///< numbers_per_cluster of PairKernels, zero before and after the call; double,
+                                       ///< float if mixed
     double* forces;                    ///< x y z 0 of every atom; those of the tile's own are written [epsilon/sigma]
     double* ghost_forces;              ///< x y z of every slot of its ghosts, and one more number [epsilon/sigma]
 };
@@ -43,7 +43,8 @@ using PairKernel = void (*)(const void* pair, const PairKernelTask& task, PairKe
 using PairKernelsOfPotentials = std::array<std::array<PairKernel, 2>, std::variant_size_v<AnyPair>>;
 
 struct PairKernels {
-    RowShape row_shapes[2];  ///< by precision
+    RowShape row_shapes[2];              ///< by precision
+    std::size_t numbers_per_cluster[2];  ///< of PairKernelTask::partial_forces, by precision
     PairKernelsOfPotentials by_precision[2];
 };
 

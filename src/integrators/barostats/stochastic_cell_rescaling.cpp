@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cell_rescaling_options.hpp"
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/core/schedule.hpp"
@@ -38,7 +39,7 @@ class StochasticCellRescaling : public Barostat {
                 "epsilon/sigma^3; equilibrate at constant volume first, or give the barostat a longer time",
                 100.0 * ((1.0 + change) * (1.0 + change) - 1.0), pressure, pressure_));
         }
-        rescale(state, std::cbrt((1.0 + change) * (1.0 + change)));
+        rescale(state, cube_root((1.0 + change) * (1.0 + change)));
     }
 
   private:

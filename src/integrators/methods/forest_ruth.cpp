@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -17,7 +18,7 @@ IntegratorMethod forest_ruth() {
             .order = 4,
             .reversible = true,
             .options = without_options([](double dt) -> Scheme {
-                const double w1 = 1.0 / (2.0 - std::cbrt(2.0));
+                const double w1 = 1.0 / (2.0 - cube_root(2.0));
                 const double w0 = 1.0 - 2.0 * w1;
                 const double outer = 0.5 * w1 * dt;
                 const double inner = 0.5 * (w1 + w0) * dt;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "relaxation_time.hpp"
@@ -12,7 +13,7 @@ namespace {
 class Andersen : public Thermostat {
   public:
     Andersen(double time, const HeatBath& bath)
-        : probability_(-std::expm1(-bath.time_step / time)),
+        : probability_(-exponential_minus_one(-bath.time_step / time)),
           temperature_(bath.temperature),
           chances_(bath.seed, RandomStream::collisions),
           velocities_(bath.seed, RandomStream::thermostat) {}

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "relaxation_time.hpp"
@@ -12,8 +13,8 @@ namespace {
 class Langevin : public Thermostat {
   public:
     Langevin(double time, const HeatBath& bath)
-        : kept_(std::exp(-bath.time_step / time)),
-          gained2_(-std::expm1(-2.0 * bath.time_step / time) * bath.temperature),
+        : kept_(exponential(-bath.time_step / time)),
+          gained2_(-exponential_minus_one(-2.0 * bath.time_step / time) * bath.temperature),
           random_(bath.seed, RandomStream::thermostat) {}
 
     [[nodiscard]] bool acts_mid_drift() const override { return true; }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "relaxation_time.hpp"
@@ -10,7 +11,7 @@ namespace ljmd {
 namespace {
 
 /// Weights of the fourth-order composition of Suzuki and Yoshida with three steps.
-const double outer_weight = 1.0 / (2.0 - std::cbrt(2.0));
+const double outer_weight = 1.0 / (2.0 - cube_root(2.0));
 const double inner_weight = 1.0 - 2.0 * outer_weight;
 
 /// State::bath holds the heat, then velocity and position of each thermostat of the chain.
@@ -44,7 +45,7 @@ class NoseHooverChain : public Thermostat {
 
     /// Half a kick of thermostat k, damped by the next thermostat of the chain.
     void kick(State& state, std::size_t k, double kinetic_energy, double dt) const {
-        const double damping = k + 1 < length_ ? std::exp(-0.25 * dt * velocity(state, k + 1)) : 1.0;
+        const double damping = k + 1 < length_ ? exponential(-0.25 * dt * velocity(state, k + 1)) : 1.0;
         double& v = velocity(state, k);
         v = damping * (damping * v + 0.5 * dt * acceleration(state, k, kinetic_energy));
     }
@@ -62,7 +63,7 @@ class NoseHooverChain : public Thermostat {
             for (std::size_t k = length_; k-- > 0;) {
                 kick(state, k, factor * factor * at_first, dt);
             }
-            factor *= std::exp(-dt * velocity(state, 0));
+            factor *= exponential(-dt * velocity(state, 0));
             for (std::size_t k = 0; k < length_; ++k) {
                 position(state, k) += dt * velocity(state, k);
             }

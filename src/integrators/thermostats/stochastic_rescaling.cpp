@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/core/elementary.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -14,7 +15,7 @@ namespace {
 class StochasticRescaling : public Thermostat {
   public:
     StochasticRescaling(double time, const HeatBath& bath)
-        : kept_(std::exp(-bath.time_step / time)),
+        : kept_(exponential(-bath.time_step / time)),
           freedom_(static_cast<double>(bath.degrees_of_freedom)),
           temperature_(bath.temperature),
           random_(bath.seed, RandomStream::thermostat) {}

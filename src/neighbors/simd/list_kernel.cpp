@@ -55,10 +55,12 @@ int gather(const ConstCandidates& from, const ClusterGrid::Run* runs, int run_co
 }
 
 template <int atoms, int others>
-int find_parts(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2, std::int32_t* out) {
-    constexpr unsigned first_of_each = others == 2 ? 0x5555U : 0x1111U;
+PartCounts find_parts(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
+                      std::int32_t* lower, std::int32_t* upper) {
+    constexpr int slots = ClusterGrid::slots;
+    constexpr unsigned first_of_each = 0x1111U;
     const Reals limit = range2 - Reals{};
-    std::int32_t* end = out;
+    const std::int32_t* const begin[2] = {lower, upper};
     for (int k = 0; k < count; k += lanes) {
         const Reals x = load<Reals>(candidates.x + k);
         const Reals y = load<Reals>(candidates.y + k);
@@ -76,18 +78,22 @@ int find_parts(const ConstCandidates& candidates, int count, const RowOfAtoms& r
         for (int n = 1; n < others; n *= 2) {  // a part is near if one of its points is
             near |= near >> n;
         }
-        end += simd::pack<lanes, others>(candidates.entry + k, near & first_of_each, end);
+        lower += simd::pack<lanes, slots>(candidates.entry + k, near & first_of_each, lower);
+        if constexpr (others == 2) {
+            upper += simd::pack<lanes, slots>(candidates.entry + k + others, near >> others & first_of_each, upper);
+        }
     }
-    return static_cast<int>(end - out);
+    return {static_cast<int>(lower - begin[0]), static_cast<int>(upper - begin[1])};
 }
 
-int parts_near(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2, std::int32_t* out) {
+PartCounts parts_near(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
+                      std::int32_t* lower, std::int32_t* upper) {
     if (row.shape.others == 2) {
-        return row.shape.atoms == 1 ? find_parts<1, 2>(candidates, count, row, range2, out)
-                                    : find_parts<2, 2>(candidates, count, row, range2, out);
+        return row.shape.atoms == 1 ? find_parts<1, 2>(candidates, count, row, range2, lower, upper)
+                                    : find_parts<2, 2>(candidates, count, row, range2, lower, upper);
     }
-    return row.shape.atoms == 2 ? find_parts<2, 4>(candidates, count, row, range2, out)
-                                : find_parts<4, 4>(candidates, count, row, range2, out);
+    return row.shape.atoms == 2 ? find_parts<2, 4>(candidates, count, row, range2, lower, upper)
+                                : find_parts<4, 4>(candidates, count, row, range2, lower, upper);
 }
 
 }  // namespace

@@ -8,6 +8,12 @@
 
 namespace ljmd {
 
+/// How many parts of clusters were found: of whole clusters or their lower halves, and of their upper halves.
+struct PartCounts {
+    int lower;
+    int upper;
+};
+
 /// Functions that build neighbour lists.
 struct ListKernel {
     /// Copy the points of some runs of slots, one after the other, and fill the last vector with points out of range.
@@ -21,10 +27,12 @@ struct ListKernel {
     /// @param candidates  as gather() wrote them
     /// @param count       as gather() returned it
     /// @param range2      in units of FixedPoint, squared
-    /// @return number of entries written
-    /// @pre room at `out` for one entry per part, and list_kernel_slack more
-    int (*parts_near)(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
-                      std::int32_t* out);
+    /// @param lower       where entries of whole clusters are written, or of their lower halves; in the order of the
+    /// candidates
+    /// @param upper       where entries of the upper halves are written
+    /// @pre room at both for an entry per cluster, and list_kernel_slack more
+    PartCounts (*parts_near)(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
+                             std::int32_t* lower, std::int32_t* upper);
 };
 
 /// The functions compiled for a level. @pre the level is usable here

@@ -24,7 +24,7 @@ class LennardJones {
     template <class Real>
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         const Real s6 = d.inverse_r2 * d.inverse_r2 * d.inverse_r2;
-        return {Real(4) * s6 * (s6 - Real(1)), d.inverse_r2 * s6 * multiply_add(Real(48), s6, Real(-24))};
+        return {Real(4) * s6 * (s6 - Real(1)), Real(48) * d.inverse_r2 * s6 * (s6 - Real(0.5))};
     }
 
     /// Tail integrals in closed form: of u r^2, 4 (R^-9/9 - R^-3/3); of w r^4, 24 (2 R^-9/9 - R^-3/3).
