@@ -20,6 +20,17 @@ function(ljmd_sources_of variable)
     set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
+# ljmd_finds_libraries(<target> <folder>): installed there, it finds the shared libraries of this project by their place
+# relative to its own.
+function(ljmd_finds_libraries target folder)
+    if(BUILD_SHARED_LIBS)
+        cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX})
+        file(RELATIVE_PATH libraries ${folder} ${CMAKE_INSTALL_FULL_LIBDIR})
+        string(REGEX REPLACE "/$" "" place "$ORIGIN/${libraries}")
+        set_target_properties(${target} PROPERTIES INSTALL_RPATH "${place}")
+    endif()
+endfunction()
+
 # ljmd_part(<target> <kind, or nothing> <source>...)
 function(ljmd_part target kind)
     add_library(${target} ${kind} ${ARGN})
@@ -59,6 +70,7 @@ if(LJMD_FILES)
     ljmd_part(ljmd_library "" ${ljmd_file_sources} ${ljmd_file_registries})
     add_library(ljmd::ljmd ALIAS ljmd_library)
     set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
+    ljmd_finds_libraries(ljmd_library ${CMAKE_INSTALL_LIBDIR})
     target_precompile_headers(ljmd_library REUSE_FROM ljmd_engine)
     target_link_libraries(ljmd_library
         PUBLIC ljmd_engine
@@ -124,6 +136,7 @@ add_executable(ljmd ${ljmd_main_sources})
 if(ljmd_modules)
     add_dependencies(ljmd ${ljmd_modules})
 endif()
+ljmd_finds_libraries(ljmd ${CMAKE_INSTALL_BINDIR})
 target_link_libraries(ljmd PRIVATE ljmd_program ljmd_options CLI11::CLI11 fmt::fmt)
 # They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
 set_property(SOURCE ${ljmd_main_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
