@@ -44,7 +44,9 @@ function(ljmd_part target kind)
         PRIVATE ${ljmd_version_include})
     # This project's own options are no business of who links an installed ljmd; nor are libraries of headers alone.
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:ljmd_options> fmt::fmt)
-    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    # As long as the major version is 0, every minor one may change what is there.
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                                               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                                                DEFINE_SYMBOL "")  # a precompiled header serves both
     get_target_property(type ${target} TYPE)
     if(type STREQUAL SHARED_LIBRARY AND NOT APPLE)
@@ -92,7 +94,7 @@ ljmd_sources_of(ljmd_program_sources ${ljmd_program_rooms})
 list(REMOVE_ITEM ljmd_program_sources ${ljmd_main_sources})
 ljmd_part(ljmd_program STATIC ${ljmd_program_sources})
 target_precompile_headers(ljmd_program REUSE_FROM ljmd_engine)
-target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl Threads::Threads ZLIB::ZLIB)
+target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl PkgConfig::xxhash Threads::Threads ZLIB::ZLIB)
 # The page of `ljmd report`, which the assembler includes.
 set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES

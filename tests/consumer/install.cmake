@@ -1,6 +1,7 @@
 # Installs the build into a fresh folder and copies the consumers and the examples of the documentation beside it. The
 # installed tree is moved once: it must not remember where it was put first. With it the source tree's own copies play
 # no part any more.
+cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE ${work_dir})
 set(install sh -c "umask 077 && exec \"$0\" \"$@\"" ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first)
 execute_process(COMMAND ${install} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
