@@ -7,8 +7,8 @@ set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 if(LJMD_PROGRAM)
     install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-if(TARGET ljmd_mpi)
-    install(TARGETS ljmd_mpi DESTINATION ${CMAKE_INSTALL_LIBDIR}/ljmd)
+if(ljmd_modules)
+    install(TARGETS ${ljmd_modules} DESTINATION ${CMAKE_INSTALL_LIBDIR}/ljmd)
 endif()
 set(found ljmd/engine.hpp)
 if(LJMD_FILES)
@@ -61,7 +61,7 @@ function(ljmd_pc_file name description library modules private_modules private_l
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 ljmd_pc_file(ljmd-engine "${PROJECT_DESCRIPTION}: runs in memory" ljmd_engine eigen3 "fmt gsl fftw3 libxxhash"
-             "${CMAKE_THREAD_LIBS_INIT} -l${CMAKE_DL_LIBS}")
+             "${CMAKE_THREAD_LIBS_INIT}")
 if(LJMD_FILES)
     # Some builds of HDF5 bring no hdf5.pc: then its file is named.
     pkg_check_modules(ljmd_hdf5_pc QUIET hdf5)
@@ -72,7 +72,7 @@ if(LJMD_FILES)
         set(hdf5_module "")
     endif()
     ljmd_pc_file(ljmd "${PROJECT_DESCRIPTION}" ljmd ljmd-engine "fmt tomlplusplus libxxhash zlib ${hdf5_module}"
-                 "${hdf5_library}")
+                 "${hdf5_library} -l${CMAKE_DL_LIBS}")
 endif()
 
 if(NOT TARGET uninstall)

@@ -10,14 +10,25 @@ set(ljmd_engine_rooms core options execution model reference potentials domain n
 set(ljmd_file_rooms io input deck run analyze)
 set(ljmd_program_rooms compare study report cli)
 
-# ljmd_sources_of(<variable> <room>...): their sources, but for kernels, and for what needs MPI, which is a module of its own.
+# ljmd_sources_of(<variable> <room>...): their sources, but for kernels and modules.
 function(ljmd_sources_of variable)
     list(TRANSFORM ARGN APPEND /*.cpp)
     list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/src/)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${ARGN})
     list(REMOVE_ITEM sources ${ljmd_simd_sources})
-    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/execution/mpi/")
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/(execution/mpi|compare/openmm)/")
     set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
+# ljmd_finds_libraries(<target> <folder>): installed there, it finds the shared libraries of this project by their place
+# relative to its own.
+function(ljmd_finds_libraries target folder)
+    if(BUILD_SHARED_LIBS)
+        cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX})
+        file(RELATIVE_PATH libraries ${folder} ${CMAKE_INSTALL_FULL_LIBDIR})
+        string(REGEX REPLACE "/$" "" place "$ORIGIN/${libraries}")
+        set_target_properties(${target} PROPERTIES INSTALL_RPATH "${place}")
+    endif()
 endfunction()
 
 # ljmd_part(<target> <kind, or nothing> <source>...)
@@ -33,7 +44,9 @@ function(ljmd_part target kind)
         PRIVATE ${ljmd_version_include})
     # This project's own options are no business of who links an installed ljmd; nor are libraries of headers alone.
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:ljmd_options> fmt::fmt)
-    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    # As long as the major version is 0, every minor one may change what is there.
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                                               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                                                DEFINE_SYMBOL "")  # a precompiled header serves both
     get_target_property(type ${target} TYPE)
     if(type STREQUAL SHARED_LIBRARY AND NOT APPLE)
@@ -52,50 +65,42 @@ add_dependencies(ljmd_engine ljmd_version_header)
 target_include_directories(ljmd_engine SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(ljmd_engine
     PUBLIC Eigen3::Eigen
-    PRIVATE Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::xxhash ${CMAKE_DL_LIBS})
+    PRIVATE Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::xxhash)
 
 if(LJMD_FILES)
     ljmd_sources_of(ljmd_file_sources ${ljmd_file_rooms})
     ljmd_part(ljmd_library "" ${ljmd_file_sources} ${ljmd_file_registries})
     add_library(ljmd::ljmd ALIAS ljmd_library)
     set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
+    ljmd_finds_libraries(ljmd_library ${CMAKE_INSTALL_LIBDIR})
     target_precompile_headers(ljmd_library REUSE_FROM ljmd_engine)
     target_link_libraries(ljmd_library
         PUBLIC ljmd_engine
         PRIVATE $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5
-                ZLIB::ZLIB Threads::Threads)
+                ZLIB::ZLIB Threads::Threads ${CMAKE_DL_LIBS})
+    # Modules: beside the program in the build, in a folder of their own when installed.
+    file(RELATIVE_PATH ljmd_modules_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/ljmd)
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/io/files/program_module.cpp
+                 APPEND PROPERTY COMPILE_DEFINITIONS LJMD_MODULES_FROM_PROGRAM="${ljmd_modules_from_program}")
 endif()
 if(NOT LJMD_PROGRAM)
     return()
 endif()
 
-# What needs a library that may be absent has a stand-in that says so. The command line is read by the program alone.
+# The command line is read by the program alone.
 set(ljmd_main_sources main.cpp described_commands.cpp own_commands.cpp evaluate/evaluate_options.cpp)
 list(TRANSFORM ljmd_main_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
 ljmd_sources_of(ljmd_program_sources ${ljmd_program_rooms})
 list(REMOVE_ITEM ljmd_program_sources ${ljmd_main_sources})
-if(OpenMM_FOUND)
-    set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm_absent/)
-else()
-    set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm/)
-endif()
-list(FILTER ljmd_program_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
 ljmd_part(ljmd_program STATIC ${ljmd_program_sources})
 target_precompile_headers(ljmd_program REUSE_FROM ljmd_engine)
-target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl Threads::Threads ZLIB::ZLIB)
+target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl PkgConfig::xxhash Threads::Threads ZLIB::ZLIB)
 # The page of `ljmd report`, which the assembler includes.
 set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES
     COMPILE_DEFINITIONS LJMD_REPORT_BUNDLE="${ljmd_bundle}"
     OBJECT_DEPENDS "${ljmd_bundle}/index.html;${ljmd_bundle}/report.css;${ljmd_bundle}/report.js"
     SKIP_UNITY_BUILD_INCLUSION ON)
-if(OpenMM_FOUND)
-    target_link_libraries(ljmd_program PRIVATE OpenMM::OpenMM)
-    set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/compare/openmm/openmm_platforms.cpp
-                 APPEND PROPERTY COMPILE_DEFINITIONS LJMD_OPENMM_PLUGIN_DIR="${OpenMM_PLUGIN_DIR}")
-    file(GLOB openmm_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/compare/openmm/*.cpp)
-    ljmd_includes_openmm(${openmm_sources})
-endif()
 
 # `ljmd plot` finds its scripts by the place of the program: after installation below this folder, before it by a link.
 file(RELATIVE_PATH ljmd_data_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ljmd)
@@ -103,22 +108,37 @@ set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/plot_scripts.cpp
              APPEND PROPERTY COMPILE_DEFINITIONS LJMD_DATA_FROM_PROGRAM="${ljmd_data_from_program}")
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/analysis ${PROJECT_BINARY_DIR}/analysis SYMBOLIC)
 
-# Beside the program in the build, in a folder of its own when installed.
-file(RELATIVE_PATH ljmd_modules_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/ljmd)
-set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/ranks.cpp
-             APPEND PROPERTY COMPILE_DEFINITIONS LJMD_MODULES_FROM_PROGRAM="${ljmd_modules_from_program}")
-if(MPI_CXX_FOUND)
-    add_library(ljmd_mpi MODULE ${PROJECT_SOURCE_DIR}/src/execution/mpi/mpi_ranks.cpp)
-    set_target_properties(ljmd_mpi PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden)
-    target_include_directories(ljmd_mpi PRIVATE ${PROJECT_SOURCE_DIR}/include)
-    target_compile_features(ljmd_mpi PRIVATE cxx_std_20)
-    target_link_libraries(ljmd_mpi PRIVATE ljmd_options MPI::MPI_CXX)
+# ljmd_module(<name> <whether its library was found> <folder of src> <library>...): what needs a library that may be absent.
+# The program loads it when it is asked for; what it needs of ljmd are headers. One of an earlier configuration would be
+# loaded, too.
+set(ljmd_modules "")
+function(ljmd_module name found folder)
+    if(NOT found)
+        file(REMOVE ${PROJECT_BINARY_DIR}/${name}.so)
+        return()
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
+    add_library(${name} MODULE ${sources})
+    set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/generated/include)
+    target_compile_features(${name} PRIVATE cxx_std_20)
+    target_link_libraries(${name} PRIVATE ljmd_options ${ARGN})
+    list(APPEND ljmd_modules ${name})
+    set(ljmd_modules ${ljmd_modules} PARENT_SCOPE)
+endfunction()
+ljmd_module(ljmd_mpi "${MPI_CXX_FOUND}" execution/mpi MPI::MPI_CXX)
+ljmd_module(ljmd_openmm "${OpenMM_FOUND}" compare/openmm OpenMM::OpenMM Eigen3::Eigen fmt::fmt)
+if(OpenMM_FOUND)
+    target_compile_definitions(ljmd_openmm PRIVATE LJMD_OPENMM_PLUGIN_DIR="${OpenMM_PLUGIN_DIR}")
+    get_target_property(openmm_sources ljmd_openmm SOURCES)
+    ljmd_includes_openmm(${openmm_sources})
 endif()
 
 add_executable(ljmd ${ljmd_main_sources})
-if(TARGET ljmd_mpi)
-    add_dependencies(ljmd ljmd_mpi)
+if(ljmd_modules)
+    add_dependencies(ljmd ${ljmd_modules})
 endif()
+ljmd_finds_libraries(ljmd ${CMAKE_INSTALL_BINDIR})
 target_link_libraries(ljmd PRIVATE ljmd_program ljmd_options CLI11::CLI11 fmt::fmt)
 # They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
 set_property(SOURCE ${ljmd_main_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)

@@ -65,6 +65,7 @@ function(ljmd_add_python_package)
     target_link_libraries(ljmd_python PRIVATE pybind11::headers ljmd_program ljmd_options fmt::fmt)
     set_target_properties(ljmd_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package}
                                                  CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    ljmd_finds_libraries(ljmd_python ${LJMD_PYTHON_SITE}/ljmd)
     # What the archive exports would take the place of functions of other extensions, or give way to them.
     if(NOT APPLE)
         target_link_options(ljmd_python PRIVATE LINKER:--exclude-libs,ALL)

@@ -7,6 +7,7 @@
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/execution/threads.hpp"
@@ -54,13 +55,28 @@ std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
             {"trajectories", trajectories}};
 }
 
-std::string openmm_line() {
-    return openmm_is_built_in() ? fmt::format("{}, platforms {}", openmm_version(), fmt::join(openmm_platforms(), ", "))
-                                : "not built in";
+struct OpenmmHere {
+    std::string line;
+    std::string version{};
+    std::vector<std::string> platforms{};
+};
+
+OpenmmHere openmm_here() {
+    if (!openmm_is_built_in()) {
+        return {"not built in"};
+    }
+    try {
+        return {fmt::format("{}, platforms {}, by {}", openmm_version(), fmt::join(openmm_platforms(), ", "),
+                            openmm_module().string()),
+                openmm_version(), openmm_platforms()};
+    } catch (const InputError& error) {
+        return {error.what()};
+    }
 }
 
 std::string info_text() {
     const BuildInfo& build = build_info();
+    const ProgramModule mpi = mpi_module();
     std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
     text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
                         build.build_type, build.flags);
@@ -68,8 +84,8 @@ std::string info_text() {
                         fmt::join(usable_levels(), ", "));
     text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
                         available_processors());
-    text += fmt::format("openmm        {}\n", openmm_line());
-    text += fmt::format("mpi           {}\n", mpi_is_built_in() ? mpi_module().string() : "not built in");
+    text += fmt::format("openmm        {}\n", openmm_here().line);
+    text += fmt::format("mpi           {}\n", mpi.is_there() ? mpi.path().string() : "not built in");
     for (const auto& [word, names] : selectable()) {
         text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
     }
@@ -87,6 +103,8 @@ std::string info_json() {
                                {"adaptive", method.adaptive},
                                {"unbounded_only", method.unbounded_only}});
     }
+    const OpenmmHere openmm = openmm_here();
+    const ProgramModule mpi = mpi_module();
     const Data json = {{"version", build.version},
                        {"commit", build.commit},
                        {"compiler", build.compiler + " " + build.compiler_version},
@@ -95,9 +113,9 @@ std::string info_json() {
                        {"simd", name(default_simd_level())},
                        {"simd_levels", usable_levels()},
                        {"processors", available_processors()},
-                       {"openmm", openmm_version()},
-                       {"mpi", mpi_is_built_in() ? Data(mpi_module().string()) : Data(nullptr)},
-                       {"openmm_platforms", openmm_platforms()},
+                       {"openmm", openmm.version},
+                       {"mpi", mpi.is_there() ? Data(mpi.path().string()) : Data(nullptr)},
+                       {"openmm_platforms", openmm.platforms},
                        {"potentials", PairPotential::formula_names()},
                        {"truncations", PairPotential::truncation_names()},
                        {"pair_searches", pair_search_names()},

@@ -3,7 +3,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/plot_scripts.hpp"
 #include "ljmd/io/files/process.hpp"
-#include "ljmd/study/job_pool.hpp"
+#include "ljmd/io/files/program_module.hpp"
 
 namespace ljmd {
 

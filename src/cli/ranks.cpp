@@ -6,24 +6,23 @@
 #include <exception>
 #include <optional>
 
+#include "../execution/mpi_module.hpp"
 #include "ljmd/cli/exit_code.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/execution/rank_agreement.hpp"
-#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "ljmd/run/interruption.hpp"
 #include "ljmd/run/run_record.hpp"
-#include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
 
 namespace {
 
-std::optional<std::shared_ptr<Ranks>> joined;
+std::optional<std::shared_ptr<Ranks>> joined_ranks;
 bool ends_together = false;  ///< all ranks end because of the present error
 
 /// Why ranks cannot share the run of a deck; empty if they can.
@@ -73,22 +72,44 @@ void require_one_deck(const std::shared_ptr<Ranks>& ranks, const Deck& deck) {
 
 }  // namespace
 
-std::filesystem::path mpi_module() {
-    const std::filesystem::path folder = this_program().parent_path();
-    const std::filesystem::path built = folder / "ljmd_mpi.so";
-    const std::filesystem::path installed = (folder / LJMD_MODULES_FROM_PROGRAM / "ljmd_mpi.so").lexically_normal();
-    return files::is_regular_file(built) ? built : installed;
+ProgramModule mpi_module() {
+    return {"MPI", "libopenmpi-dev", "ljmd_mpi.so"};
 }
 
-bool mpi_is_built_in() {
-    return files::is_regular_file(mpi_module());
+std::shared_ptr<Ranks> launched_ranks(const ProgramModule& mpi) {
+    const std::vector<std::string> signs = signs_of_ranks();
+    const int expected = launched_processes();
+    // The first of several may not be told that there are others: only they can say so.
+    if (signs.empty() || (expected == 1 && !mpi.is_there())) {
+        return nullptr;
+    }
+    const auto refuse = [&](const std::string& why) {
+        return InputError(
+            fmt::format("several processes were started to share one run ({} is set), and {}. Without mpirun, one "
+                        "process runs alone",
+                        signs.front(), why));
+    };
+    std::shared_ptr<Ranks> ranks;
+    try {
+        ranks.reset(mpi.function<decltype(ljmd_join_ranks)>(mpi_module_function)());
+    } catch (const InputError& why) {
+        throw refuse(why.what());
+    }
+    if (!ranks) {
+        throw refuse("MPI does not begin");
+    }
+    if (expected > 1 && ranks->size() < expected) {
+        throw refuse(
+            fmt::format("each of the {} is alone: its part for MPI is for another MPI than that of mpirun", expected));
+    }
+    return ranks->size() > 1 ? ranks : nullptr;  // a launcher that tells no number may have started one
 }
 
 std::shared_ptr<Ranks> shared_ranks() {
-    if (!joined) {
-        joined = launched_ranks(mpi_module());
+    if (!joined_ranks) {
+        joined_ranks = launched_ranks(mpi_module());
     }
-    return *joined;
+    return *joined_ranks;
 }
 
 void refuse_ranks(const std::string& command) {
@@ -165,10 +186,10 @@ void require_shareable(const std::shared_ptr<Ranks>& ranks, const HeldRun& run) 
 
 int end_after_exception() {
     constexpr int lost = 8;
-    if (!joined || !*joined) {
+    if (!joined_ranks || !*joined_ranks) {
         return report_current_exception();
     }
-    Ranks& ranks = **joined;
+    Ranks& ranks = **joined_ranks;
     bool found_by_all = false;
     try {
         throw;

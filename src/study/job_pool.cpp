@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/process.hpp"
 
 namespace ljmd {
@@ -119,10 +118,6 @@ void run_jobs(const std::filesystem::path& program, std::size_t lines, int at_mo
     if (stopped) {
         interruption.stop_many_runs();
     }
-}
-
-std::filesystem::path this_program() {
-    return files::read_link("/proc/self/exe");
 }
 
 }  // namespace ljmd

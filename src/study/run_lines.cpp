@@ -11,6 +11,7 @@
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/program_module.hpp"
 
 namespace ljmd {
 

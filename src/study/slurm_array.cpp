@@ -19,10 +19,10 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/open_directory.hpp"
 #include "ljmd/io/files/process.hpp"
+#include "ljmd/io/files/program_module.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/output_guard.hpp"
-#include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
 

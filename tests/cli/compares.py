@@ -22,6 +22,28 @@ def needs_openmm(t):
     needs(json.loads(t.run_well("info", "--json").out)["openmm"], "OpenMM in this ljmd")
 
 
+def module_for_openmm(t):
+    """Without its module, or with a damaged one, the program works, and says why it cannot compare."""
+    t.deck()
+    shutil.copy(t.ljmd, t.dir / "ljmd")
+    t.ljmd = str(t.dir / "ljmd")
+    t.contains(t.run_well("info").out, "openmm        not built in")
+    t.equal(json.loads(t.run_well("info", "--json").out)["openmm"], "", "version")
+    absent = t.expect(2, t.run("compare", "deck.toml", "--with", "openmm", "--out", "out"))
+    t.contains(absent.err, "this ljmd was built without OpenMM: there is no ")
+    t.contains(absent.err, "/ljmd/ljmd_openmm.so; install it")
+    module = t.dir / "ljmd_openmm.so"
+    module.write_text("no library\n" * 1000)
+    refused = f"the part of ljmd for OpenMM, {module}, cannot be loaded: "
+    t.contains(t.run_well("info").out, f"openmm        {refused}")
+    t.equal(json.loads(t.run_well("info", "--json").out)["openmm_platforms"], [], "platforms")
+    for command in (("compare", "deck.toml", "--with", "openmm"), ("export", "deck.toml", "--to", "openmm")):
+        damaged = t.expect(2, t.run(*command, "--out", "out"))
+        t.contains(damaged.err, refused)
+        t.contains(damaged.err, "ELF")
+    t.equal(t.files(), ["deck.toml", "ljmd", "ljmd_openmm.so"], "files")
+
+
 def needs_lammps(_t):
     needs(shutil.which("lmp"), "program 'lmp'")
 
@@ -177,7 +199,7 @@ def position_that_is_not_finite(t):
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (everything, json_alone, existing_files_are_refused, frames_are_judged, every_path,
-                         two_atoms_in_a_long_box, missed_pairs_fail, lammps,
+                         two_atoms_in_a_long_box, missed_pairs_fail, module_for_openmm, lammps,
                          unknown_platform, plugin_folder_missing, no_lammps, position_that_is_not_finite)] + \
            [Case("few bodies with openmm", compare_refused(STARS, "--with", "openmm")),
             Case("few bodies with lammps", compare_refused(STARS, "--with", "lammps")),

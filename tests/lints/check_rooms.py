@@ -9,8 +9,8 @@ Rules:
 - project headers are included as "ljmd/<room>/x.hpp", or by a path relative to the including file for headers that
   are private to src/;
 - every header begins with #pragma once (after comments);
-- physics and engine see no file, no process and no terminal, and have no conditional compilation: what is absent is an
-  absent.cpp that CMake chooses;
+- physics and engine see no file, no process and no terminal, and have no conditional compilation: what needs a library
+  that may be absent is a module;
 - nlohmann's headers, which take seconds to compile, are included where JSON is written and read (JSON_SOURCE), and
   nowhere else;
 - a folder of src/ has at most MOST_SOURCES sources: a fuller one is divided.

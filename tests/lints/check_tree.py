@@ -29,7 +29,6 @@ WITHOUT_TEST = {
     "src/cli/described_commands.cpp": "part of the program, as main.cpp, not of the library",
     "src/cli/own_commands.cpp": "part of the program, as main.cpp, not of the library",
     "src/cli/evaluate/evaluate_options.cpp": "part of the program, as main.cpp, not of the library",
-    "src/cli/ranks.cpp": "what it does takes several processes: tests/mpi runs the program in them",
     "src/execution/mpi/*.cpp": "takes several processes: tests/mpi runs the program in them",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/python/*.cpp": "the binding: tests/python tries it through the package",

@@ -96,11 +96,6 @@ TEST_CASE("when a step after a job fails, no job is left behind") {
     CHECK_FALSE(fs::exists(late));
 }
 
-TEST_CASE("this program is the one that runs") {
-    CHECK(fs::exists(this_program()));
-    CHECK(this_program().filename() == "test_study");
-}
-
 TEST_CASE("the first job of a line is asked for when its turn has come, and a line may have none") {
     const TemporaryFolder folder;
     std::vector<std::string> order;

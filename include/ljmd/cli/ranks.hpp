@@ -1,24 +1,27 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/execution/ranks.hpp"
+#include "ljmd/io/files/program_module.hpp"
 #include "ljmd/run/held_run.hpp"
 
 namespace ljmd {
 
-/// The ranks that share the run of this process, if mpirun has started several (see launched_ranks()); null: it runs
-/// alone. The same ones at every call.
+/// The part of the program for MPI.
+[[nodiscard]] ProgramModule mpi_module();
+
+/// Join the ranks that mpirun, mpiexec or srun has started, if it has started more than one.
+/// @return null without a launcher, and if it has started one process alone
+/// @throws InputError if several were started and the module is not there, or does not fit the launcher
+[[nodiscard]] std::shared_ptr<Ranks> launched_ranks(const ProgramModule& mpi);
+
+/// The ranks that share the run of this process; null: it runs alone. The same ones at every call.
 /// @throws InputError as launched_ranks()
 [[nodiscard]] std::shared_ptr<Ranks> shared_ranks();
-
-/// Where the part of the program for MPI is, or would be.
-[[nodiscard]] std::filesystem::path mpi_module();
-[[nodiscard]] bool mpi_is_built_in();
 
 /// Refuse a command that shares no work where mpirun has started several processes. @throws InputError
 void refuse_ranks(const std::string& command);

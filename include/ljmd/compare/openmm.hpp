@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,10 +10,12 @@
 
 namespace ljmd {
 
-/// Whether this build of ljmd includes OpenMM. Without it, make_openmm_peer and openmm_xml throw InputError.
+/// Where the part of the program for OpenMM is, or would be. All that follows loads it, and throws InputError where it
+/// is not there or cannot be loaded.
+[[nodiscard]] std::filesystem::path openmm_module();
 [[nodiscard]] bool openmm_is_built_in();
 
-/// Version of the loaded library, "7.7"; empty without OpenMM.
+/// Version of the loaded library, "7.7".
 [[nodiscard]] std::string openmm_version();
 
 /// The loaded platforms: "Reference", and those from the plug-in folder. The folder is named by the environment

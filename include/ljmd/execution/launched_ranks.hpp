@@ -1,16 +1,13 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
-
-#include "ljmd/execution/ranks.hpp"
 
 namespace ljmd {
 
 /// Names of the environment variables by which launchers tell a process that it is one of several ranks, those with
-/// which this process was started. SLURM_* alone are no sign: every program of a batch job has them.
+/// which this process was started; none where one of them says that it was started alone. SLURM_* alone are no sign:
+/// every program of a batch job has them.
 [[nodiscard]] std::vector<std::string> signs_of_ranks();
 
 /// Whether this process is rank 0 by these variables, or was started alone. What all processes say before they are
@@ -20,11 +17,5 @@ namespace ljmd {
 /// Number of processes that a launcher has started together, this one among them; 1 without a launcher. Where the
 /// launcher tells ranks alone, it is the least number that fits that of this process.
 [[nodiscard]] int launched_processes();
-
-/// Join the ranks that mpirun, mpiexec or srun has started, if it has started more than one.
-/// @param module  that was built with the MPI library
-/// @return null without a launcher, and if it has started one process alone
-/// @throws InputError if several were started and the module is not there, or does not fit the launcher
-[[nodiscard]] std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module);
 
 }  // namespace ljmd

@@ -38,7 +38,4 @@ using NextJob = std::function<std::optional<Job>(std::size_t line, int exit_stat
 void run_jobs(const std::filesystem::path& program, std::size_t lines, int at_most, const FirstJob& first,
               const NextJob& next, const Interruption& interruption = Interruption());
 
-/// The executable file of this program. @throws FileError
-[[nodiscard]] std::filesystem::path this_program();
-
 }  // namespace ljmd

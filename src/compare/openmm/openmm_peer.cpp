@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <utility>
 
-#include "ljmd/compare/openmm.hpp"
+#include "linked_openmm.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
-#include "openmm_platforms.hpp"
 #include "openmm_system.hpp"
 
 namespace ljmd {
@@ -45,14 +45,14 @@ struct Motion {
 
 class OpenmmPeer : public Peer {
   public:
-    OpenmmPeer(const Fluid& fluid, const OpenmmOptions& options)
-        : fluid_(fluid),
+    OpenmmPeer(OpenmmFluid fluid, const OpenmmOptions& options)
+        : fluid_(std::move(fluid)),
           options_(options),
-          platform_(openmm_platform(options.platform)),
-          system_(openmm_system(fluid, OpenmmForces::with_virial, options.epsilon)) {}
+          platform_(OpenMM::Platform::getPlatformByName(options.platform)),
+          system_(openmm_system(fluid_, OpenmmForces::with_virial, options.epsilon)) {}
 
     [[nodiscard]] std::string name() const override {
-        return fmt::format("OpenMM {} ({}{})", openmm_version(), options_.platform,
+        return fmt::format("OpenMM {} ({}{})", OpenMM::Platform::getOpenMMVersion(), options_.platform,
                            options_.platform == "CPU"
                                ? fmt::format(", {} thread{}", options_.threads, options_.threads == 1 ? "" : "s")
                                : "");
@@ -179,7 +179,7 @@ class OpenmmPeer : public Peer {
         const auto energy = [&](OpenmmForces forces) {
             const auto system = openmm_system(fluid_, forces, options_.epsilon);
             OpenMM::VerletIntegrator integrator(1e-3);
-            OpenMM::Context context(*system, integrator, openmm_platform("Reference"));
+            OpenMM::Context context(*system, integrator, OpenMM::Platform::getPlatformByName("Reference"));
             context.setPositions(openmm_vectors(fluid_.positions));
             return context.getState(OpenMM::State::Energy).getPotentialEnergy();
         };
@@ -187,7 +187,7 @@ class OpenmmPeer : public Peer {
                static_cast<double>(fluid_.positions.size());
     }
 
-    Fluid fluid_;
+    OpenmmFluid fluid_;
     OpenmmOptions options_;
     OpenMM::Platform& platform_;
     std::unique_ptr<OpenMM::System> system_;
@@ -195,8 +195,8 @@ class OpenmmPeer : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_openmm_peer(const Fluid& fluid, const OpenmmOptions& options) {
-    return std::make_unique<OpenmmPeer>(fluid, options);
+std::unique_ptr<Peer> linked_openmm_peer(OpenmmFluid fluid, const OpenmmOptions& options) {
+    return std::make_unique<OpenmmPeer>(std::move(fluid), options);
 }
 
 }  // namespace ljmd

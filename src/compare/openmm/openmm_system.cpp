@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ljmd/compare/openmm_expression.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -40,21 +39,19 @@ std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, bool tail, do
 }
 
 /// Any potential by its expression, truncated or not.
-std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, const std::string& expression,
+std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const OpenmmFluid& fluid, const std::string& expression,
                                                            double epsilon) {
-    const PairPotential& potential = fluid.potential;
-    const Cutoff& cutoff = potential.cutoff();
+    const Cutoff& cutoff = fluid.potential.cutoff();
     auto force =
         std::make_unique<OpenMM::CustomNonbondedForce>(fmt::format("{:.17g}*energy; energy={}", epsilon, expression));
     force->setNonbondedMethod(OpenMM::CustomNonbondedForce::CutoffPeriodic);
     force->setCutoffDistance(cutoff.radius);
-    const PairTerm<double> at_cutoff = potential.untruncated(cutoff.radius);
     force->addGlobalParameter(scale_parameter, 1.0);
     force->addGlobalParameter("cutoff", cutoff.radius);
     force->addGlobalParameter("switch_start", cutoff.switch_start);
-    force->addGlobalParameter("u_cutoff", at_cutoff.u);
-    force->addGlobalParameter("f_cutoff", at_cutoff.w * cutoff.radius);
-    for (const auto& [name, value] : potential.parameters()) {
+    force->addGlobalParameter("u_cutoff", fluid.at_cutoff.u);
+    force->addGlobalParameter("f_cutoff", fluid.at_cutoff.w * cutoff.radius);
+    for (const auto& [name, value] : fluid.potential.parameters()) {
         force->addGlobalParameter(name, value);
     }
     for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
@@ -63,15 +60,14 @@ std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, c
     return force;
 }
 
-std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, bool tail, double epsilon) {
+std::unique_ptr<OpenMM::Force> moving_force(const OpenmmFluid& fluid, bool tail, double epsilon) {
     const std::string& truncation = fluid.potential.truncation();
     if (fluid.potential.formula() == "lennard-jones" && (truncation == "cut" || truncation == "switched")) {
         return nonbonded_force(fluid, tail, epsilon);
     }
     // OpenMM's own switch, because its long-range correction supports no other.
     const bool switched = truncation == "switched";
-    auto force =
-        custom_force(fluid, switched ? openmm_formula(fluid.potential) : openmm_expression(fluid.potential), epsilon);
+    auto force = custom_force(fluid, switched ? fluid.formula : fluid.expression, epsilon);
     if (switched) {
         force->setUseSwitchingFunction(true);
         force->setSwitchingDistance(fluid.potential.cutoff().switch_start);
@@ -82,7 +78,7 @@ std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, bool tail, doubl
 
 }  // namespace
 
-std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces forces, double epsilon) {
+std::unique_ptr<OpenMM::System> openmm_system(const OpenmmFluid& fluid, OpenmmForces forces, double epsilon) {
     check(fluid);
     auto system = std::make_unique<OpenMM::System>();
     system->setDefaultPeriodicBoxVectors({fluid.edges[0], 0.0, 0.0}, {0.0, fluid.edges[1], 0.0},
@@ -94,7 +90,7 @@ std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces f
     force->setForceGroup(moving_group);
     system->addForce(force.release());
     if (forces == OpenmmForces::with_virial) {
-        auto derivative = custom_force(fluid, openmm_expression(fluid.potential), epsilon);
+        auto derivative = custom_force(fluid, fluid.expression, epsilon);
         derivative->addEnergyParameterDerivative(scale_parameter);
         derivative->setForceGroup(virial_group);
         system->addForce(derivative.release());

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "ljmd/compare/fluid.hpp"
+#include "../openmm_module.hpp"
 
 namespace ljmd {
 
@@ -31,7 +31,7 @@ enum class OpenmmForces {
 /// Box, masses and forces of a fluid.
 /// @param epsilon  see OpenmmOptions
 /// @throws InputError see make_openmm_peer
-[[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces forces,
+[[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const OpenmmFluid& fluid, OpenmmForces forces,
                                                             double epsilon = 1.0);
 
 /// Conversion of vectors for a context.

@@ -3,8 +3,7 @@
 
 #include <sstream>
 
-#include "ljmd/compare/openmm.hpp"
-#include "openmm_platforms.hpp"
+#include "linked_openmm.hpp"
 #include "openmm_system.hpp"
 
 namespace ljmd {
@@ -21,10 +20,10 @@ std::string xml(const Object& object, const std::string& root) {
 
 }  // namespace
 
-OpenmmXml openmm_xml(const Fluid& fluid, double time_step) {
+OpenmmXml linked_openmm_xml(const OpenmmFluid& fluid, double time_step) {
     const auto system = openmm_system(fluid, fluid.tail ? OpenmmForces::with_tail : OpenmmForces::alone);
     OpenMM::VerletIntegrator integrator(time_step);
-    OpenMM::Context context(*system, integrator, openmm_platform("Reference"));
+    OpenMM::Context context(*system, integrator, OpenMM::Platform::getPlatformByName("Reference"));
     context.setPositions(openmm_vectors(fluid.positions));
     context.setVelocities(half_step_velocities(context, fluid, time_step));
     const OpenMM::State state =

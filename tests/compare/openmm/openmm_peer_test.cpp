@@ -30,7 +30,6 @@ TEST_CASE("the names of a peer and of its methods are OpenMM's") {
     REQUIRE(methods.size() == 2);
     CHECK(methods[0].name == "VerletIntegrator");
     CHECK(methods[1].ours == std::vector<std::string>{"velocity-verlet"});
-    CHECK_THROWS_AS(make_openmm_peer(small_fluid(), {.platform = "Abacus"}), InputError);
 }
 
 TEST_CASE("frames begin where the fluid is, synchronised, with either method") {

@@ -17,12 +17,16 @@ const Force* force_of(const OpenMM::System& system, int index) {
     return dynamic_cast<const Force*>(&system.getForce(index));
 }
 
+OpenmmFluid told(const std::string& formula, const std::string& truncation) {
+    return openmm_fluid(small_fluid(formula, truncation));
+}
+
 }  // namespace
 
 TEST_CASE("box and masses of a fluid are those of its system") {
     Fluid fluid = small_fluid();
     fluid.masses = {1.0, 2.0, 3.0};
-    const auto system = openmm_system(fluid, OpenmmForces::alone);
+    const auto system = openmm_system(openmm_fluid(fluid), OpenmmForces::alone);
     OpenMM::Vec3 a;
     OpenMM::Vec3 b;
     OpenMM::Vec3 c;
@@ -35,7 +39,7 @@ TEST_CASE("box and masses of a fluid are those of its system") {
 }
 
 TEST_CASE("Lennard-Jones, cut or switched, is a NonbondedForce with what differs set") {
-    const auto cut = openmm_system(small_fluid("lennard-jones", "cut"), OpenmmForces::alone);
+    const auto cut = openmm_system(told("lennard-jones", "cut"), OpenmmForces::alone);
     REQUIRE(cut->getNumForces() == 1);
     const auto* force = force_of<OpenMM::NonbondedForce>(*cut, 0);
     REQUIRE(force != nullptr);
@@ -44,7 +48,7 @@ TEST_CASE("Lennard-Jones, cut or switched, is a NonbondedForce with what differs
     CHECK_FALSE(force->getUseSwitchingFunction());
     CHECK_FALSE(force->getUseDispersionCorrection());
 
-    const auto switched = openmm_system(small_fluid("lennard-jones", "switched"), OpenmmForces::with_virial);
+    const auto switched = openmm_system(told("lennard-jones", "switched"), OpenmmForces::with_virial);
     REQUIRE(switched->getNumForces() == 2);
     force = force_of<OpenMM::NonbondedForce>(*switched, 0);
     REQUIRE(force != nullptr);
@@ -56,7 +60,7 @@ TEST_CASE("Lennard-Jones, cut or switched, is a NonbondedForce with what differs
     CHECK(derivative->getForceGroup() == virial_group);
     CHECK_FALSE(derivative->getUseLongRangeCorrection());
 
-    const auto with_tail = openmm_system(small_fluid("lennard-jones", "cut"), OpenmmForces::with_tail);
+    const auto with_tail = openmm_system(told("lennard-jones", "cut"), OpenmmForces::with_tail);
     REQUIRE(with_tail->getNumForces() == 1);
     CHECK(force_of<OpenMM::NonbondedForce>(*with_tail, 0)->getUseDispersionCorrection());
 }
@@ -66,7 +70,7 @@ TEST_CASE("every other potential is a custom force") {
                                               {"lennard-jones", "force-shifted"},
                                               {"morse", "cut"},
                                               {"morse", "switched"}}) {
-        const auto system = openmm_system(small_fluid(formula, truncation), OpenmmForces::alone);
+        const auto system = openmm_system(told(formula, truncation), OpenmmForces::alone);
         CHECK(force_of<OpenMM::CustomNonbondedForce>(*system, 0) != nullptr);
     }
 }
@@ -74,14 +78,14 @@ TEST_CASE("every other potential is a custom force") {
 TEST_CASE("positions that are not finite and a cutoff beyond half the box are refused") {
     Fluid fluid = small_fluid();
     fluid.positions[1][2] = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_AS(openmm_system(fluid, OpenmmForces::alone), InputError);
-    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone), Contains("atom 2 is not finite"));
+    CHECK_THROWS_AS(openmm_system(openmm_fluid(fluid), OpenmmForces::alone), InputError);
+    CHECK_THROWS_WITH(openmm_system(openmm_fluid(fluid), OpenmmForces::alone), Contains("atom 2 is not finite"));
     fluid = small_fluid();
     fluid.velocities[0][0] = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone), Contains("atom 1 is not finite"));
+    CHECK_THROWS_WITH(openmm_system(openmm_fluid(fluid), OpenmmForces::alone), Contains("atom 1 is not finite"));
     fluid = small_fluid();
     fluid.edges = Vec3(6.0, 4.9, 8.0);
-    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone),
+    CHECK_THROWS_WITH(openmm_system(openmm_fluid(fluid), OpenmmForces::alone),
                       Contains("the cutoff 2.5 is beyond half the shortest edge of the box"));
 }
 
@@ -92,7 +96,7 @@ TEST_CASE("vectors survive the way to OpenMM and back") {
 
 TEST_CASE("velocities of the half step before are shifted by OpenMM's own forces") {
     const Fluid fluid = small_fluid();
-    const auto system = openmm_system(fluid, OpenmmForces::with_virial);
+    const auto system = openmm_system(openmm_fluid(fluid), OpenmmForces::with_virial);
     OpenMM::VerletIntegrator integrator(0.004);
     OpenMM::Context context(*system, integrator, OpenMM::Platform::getPlatformByName("Reference"));
     context.setPositions(openmm_vectors(fluid.positions));
