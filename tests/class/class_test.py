@@ -2,7 +2,7 @@
 
 Usage: class_test.py --ljmd PROGRAM [--update] [NAME]     one exercise, such as `melting`; without a name what the answers quote
 
-PYTHONPATH has the package `ljmd`. The numbers are the same on every processor (tests/same_bits.env).
+PYTHONPATH has the package `ljmd`. The numbers are the same on every processor.
 --update writes what the scripts print into the answers, and their pictures, half as large, into docs/images.
 """
 
@@ -16,9 +16,6 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
-
-import same_bits  # noqa: E402
 
 FOLDER = ROOT / "docs/class"
 BLOCK = re.compile(r"^```text\n(.*?)^```$", re.M | re.S)
@@ -128,7 +125,6 @@ if __name__ == "__main__":
     parser.add_argument("--update", action="store_true")
     parser.add_argument("name", nargs="?", choices=exercises())
     arguments = parser.parse_args()
-    same_bits.compute_same_bits_everywhere()
     os.environ["OMP_NUM_THREADS"] = "1"
     program = str(pathlib.Path(arguments.ljmd).resolve())
     if arguments.name is None:

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Callable
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-import same_bits  # noqa: E402
 import waiting  # noqa: E402
 
 DECK = """\
@@ -233,11 +232,6 @@ def replaced(text, *replacements):
 def clean_environment():
     keep = {key: value for key, value in os.environ.items() if key == "LJMD_SIMD" or not key.startswith(("LC_", "LJMD"))}
     return {**keep, "LANG": "C", "TERM": "xterm"}
-
-
-def same_bits_environment():
-    """For cases that judge by statistics: the same run on every processor."""
-    return {**clean_environment(), **same_bits.VARIABLES}
 
 
 TIMES = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")

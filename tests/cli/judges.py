@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from compares import needs
-from harness import DECK, STARS, Case, compare_refused, same_bits_environment
+from harness import DECK, STARS, Case, compare_refused
 import waiting
 
 ENGINE = Path(__file__).resolve().parents[2] / "docs/examples/engine.py"
@@ -40,7 +40,7 @@ def checks(found):
 
 def good_engine(t):
     t.deck(("steps = 40", "steps = 4000"))
-    result = t.run_well("compare", "deck.toml", "--with", engine(t), *STEPS, "--out", "out", env=same_bits_environment())
+    result = t.run_well("compare", "deck.toml", "--with", engine(t), *STEPS, "--out", "out")
     for words in ("one page of Python", "all 26 checks passed", "mean pressure", "step 100: positions"):
         t.contains(result.out, words)
     t.check("not judged" not in result.out and "diagnosis" not in result.out, f"too much is said:\n{result.out}")
@@ -268,7 +268,7 @@ def samples(t, deck, rows, columns="step,kinetic_energy", more="", parts="averag
     t.deck(*deck)
     (t.dir / "made.csv").write_text(columns + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows))
     result = t.run("compare", "deck.toml", "--parts", parts, "--quiet", "--json", "--with",
-                   script(t, "import shutil; shutil.copy('made.csv', into + '/thermo.csv')" + more), env=same_bits_environment())
+                   script(t, "import shutil; shutil.copy('made.csv', into + '/thermo.csv')" + more))
     (t.dir / "found.json").write_text(result.out)
     return result, t.json("found.json")
 
@@ -378,7 +378,7 @@ ISOBARIC = [("steps = 20\nthermostat = { type = \"rescale\", every = 5 }",
 def isobaric(t):
     """ljmd with other random numbers is an engine at constant pressure; with less fluctuation of the volume it is none."""
     t.deck(*ISOBARIC)
-    t.run_well("run", "deck.toml", "--out", "other", "--set", "system.seed=8", "--quiet", env=same_bits_environment())
+    t.run_well("run", "deck.toml", "--out", "other", "--set", "system.seed=8", "--quiet")
     table = t.columns("other/thermo.csv")
     rows = [(int(step) - 1000, 108.0 * u, 108.0 * k, 108.0 / density)
             for step, u, k, density in zip(table["step"], table["potential_energy"], table["kinetic_energy"], table["density"])

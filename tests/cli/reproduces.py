@@ -6,7 +6,7 @@ import json
 import signal
 import subprocess
 
-from harness import Case, clean_environment, held, same_bits_environment, snapshot
+from harness import Case, clean_environment, held, snapshot
 import waiting
 
 TWO_ROWS = ("reproduce", "verlet1967", "--quick", "--rows", "0.85:0.786,0.45:2.935", "--out", "out")
@@ -19,7 +19,7 @@ def table(t):
 
 
 def two_rows(t):
-    environment = same_bits_environment()
+    environment = clean_environment()
     result = t.run_well(*TWO_ROWS, env=environment)
     t.equal(result.err.count("\n"), 2, "lines of progress")
     t.contains(result.err, "[2/2] rho ")

@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/same_bits.hpp"
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/model/checksum.hpp"

@@ -25,7 +25,6 @@ import ase.units  # noqa: E402
 import MDAnalysis  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 DECK = """
 [argon]
@@ -251,7 +250,6 @@ def converted_dcd_and_xtc(ljmd, run):
 
 def main():
     ljmd = pathlib.Path(sys.argv[1]).resolve()
-    compute_same_bits_everywhere()  # how many distances rounding takes to another bin depends on the trajectory
     tests = (h5md_with_images_ids_and_increments, h5md_with_a_matrix_in_each_frame, h5md_in_other_units, h5md_by_mdanalysis,
              extended_xyz_by_ase, extended_xyz_by_ase_with_momenta, converted_dcd_and_xtc)
     failed = 0

@@ -3,7 +3,7 @@
 Usage: notebooks_test.py [NAME]       one notebook, without the end .ipynb; without a name how all are stored
 
 The values in the cell with the tag `parameters` are replaced by shorter ones. After the last cell another one checks results.
-PYTHONPATH has the package. The numbers are the same on every processor (tests/same_bits.env).
+PYTHONPATH has the package. The numbers are the same on every processor.
 """
 
 import ast
@@ -14,7 +14,6 @@ import sys
 HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[1]))
 
-import same_bits  # noqa: E402
 import waiting  # noqa: E402
 
 try:
@@ -94,7 +93,6 @@ def execute(name: str) -> None:
     checks = re.sub(r"^ {8}", "", checks.strip("\n"), flags=re.M)
     ast.parse(checks)
     notebook.cells.append(nbformat.v4.new_code_cell(checks))
-    same_bits.compute_same_bits_everywhere()
     client = nbclient.NotebookClient(notebook, timeout=waiting.PATIENCE, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}})
     client.execute()  # raises what a cell raises
     outputs = [each for cell in code_cells(notebook) for each in cell.outputs]

@@ -15,7 +15,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 DECK = """
 [system]
@@ -44,7 +43,6 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     try:
         import numpy as np
         from pymbar.timeseries import statisticalInefficiency

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/same_bits.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/potentials/second_virial.hpp"
@@ -26,7 +25,6 @@ TEST_CASE("an almost ideal gas has Z = 1 + B2 rho within its error, for any numb
     const auto gas = GENERATE(Gas{2.5, "langevin", 64e6}, Gas{std::pow(2.0, 1.0 / 6.0), "", 48e6},
                               Gas{std::pow(2.0, 1.0 / 6.0), "stochastic-rescaling", 48e6});
     double sum = 0.0;
-    const test::SameBits same_bits;
     const Execution execution;
     for (const Index cells : {2, 3, 6}) {
         const Index n = 4 * cells * cells * cells;

@@ -17,7 +17,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 TEMPERATURE = 0.722
 
@@ -32,7 +31,6 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--deck", required=True)
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "argon"
         subprocess.run([arguments.ljmd, "run", arguments.deck, "--out", str(out)], check=True)

@@ -17,7 +17,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 PRESSURE = 0.5
 
@@ -27,7 +26,6 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--examples", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
 
     def observables(deck: str, out: pathlib.Path, *settings: str) -> dict:
         command = [arguments.ljmd, "run", str(arguments.examples / deck), "--out", str(out), "--quiet"]

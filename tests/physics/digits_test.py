@@ -8,6 +8,7 @@ import argparse
 import hashlib
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -40,7 +41,7 @@ precision = "{precision}"
 [[stage]]
 name = "all"
 integrator = "{integrator}"
-time_step = 0.003
+time_step = {time_step}
 steps = 60
 {stage}[output]
 thermo = {{ every = 5 }}
@@ -49,7 +50,7 @@ trajectory = {{ format = "xyz", every = 20, velocities = true }}
 
 
 def fluid(integrator="velocity-verlet", thermostat="", barostat="", potential="lennard-jones", truncation="shifted", method="verlet-list",
-          precision="double", density=0.8) -> str:
+          precision="double", density=0.8, time_step=0.003) -> str:
     stage = f"thermostat = {{ {thermostat} }}\n" if thermostat else ""
     stage += f"barostat = {{ {barostat} }}\n" if barostat else ""
     more = {"cut": "tail = true\n", "switched": "tail = true\nswitch_start = 1.8\n"}.get(truncation, "")
@@ -63,7 +64,7 @@ def made_decks(plugins: dict) -> dict:
     made |= {f"morse {name}": fluid(potential="morse", truncation=name) for name in ("cut", "switched")}
     made |= {f"search {name}": fluid(method=name) for name in ("cells", "all-pairs")}
     made |= {f"morse, search {name}": fluid(potential="morse", method=name, truncation="force-shifted") for name in ("cells",)}
-    made |= {f"integrator {name}": fluid(integrator=name) for name in plugins["integrators"] if name != OF_FEW_BODIES}
+    made |= {f"integrator {name}": fluid(integrator=name, time_step=0.0003) for name in plugins["integrators"] if name != OF_FEW_BODIES}
     baths = {"rescale": 'type = "rescale", every = 7', "langevin": 'type = "langevin", time = 0.3', "andersen": 'type = "andersen", time = 0.2',
              "stochastic-rescaling": 'type = "stochastic-rescaling", time = 0.1', "nose-hoover-chain": 'type = "nose-hoover-chain", time = 0.1'}
     made |= {f"thermostat {name}": fluid(thermostat=baths[name]) for name in plugins["thermostats"]}
@@ -80,10 +81,11 @@ class Case:
         self.name, self.deck, self.settings = name, deck, settings
         self.mixed = "mixed" in name or 'precision = "mixed"' in deck.read_text(encoding="utf-8")
 
-    def digits(self, program: str, level: str, folder: pathlib.Path, threads: int = 1, environment: dict = {}) -> str:
+    def digits(self, program: str, level: str, folder: pathlib.Path, threads: int = 1, environment: "dict | None" = None) -> str:
         out = folder / "out"
-        done = subprocess.run([program, "run", self.deck, "--quiet", "--force", "--simd", level, "--threads", str(threads), "--out", out, *self.settings],
-                              capture_output=True, text=True, check=False, env={**os.environ, **environment}, cwd=folder)
+        shutil.rmtree(out, ignore_errors=True)
+        done = subprocess.run([program, "run", self.deck, "--quiet", "--simd", level, "--threads", str(threads), "--out", out, *self.settings],
+                              capture_output=True, text=True, check=False, env={**os.environ, **(environment or {})}, cwd=folder)
         if done.returncode != 0:
             raise SystemExit(f"FAIL {self.name} at {level}: exit code {done.returncode}\n{done.stderr}")
         found = hashlib.sha256()
@@ -96,7 +98,8 @@ class Case:
 def cases(program: str, plugins: dict, folder: pathlib.Path):
     start = next(deck for deck in decks.decks() if deck.stem == "canonical")
     begun = folder / "start"
-    subprocess.run([program, "run", start, "--quiet", "--simd", "portable", "--out", begun, *decks.shortened(start.read_text(encoding="utf-8"))], check=True)
+    subprocess.run([program, "run", start, "--quiet", "--simd", "portable", "--out", begun, *decks.shortened(start.read_text(encoding="utf-8"))],
+                   capture_output=True, check=True)
     for deck in decks.decks():
         text = deck.read_text(encoding="utf-8")
         settings = decks.shortened(text)
@@ -117,6 +120,7 @@ def main() -> int:
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--update", action="store_true")
     arguments = parser.parse_args()
+    arguments.ljmd = os.path.abspath(arguments.ljmd)
     usable = subprocess.run([arguments.ljmd, "info"], capture_output=True, text=True, check=True).stdout
     plugins = {kind: names.strip().split(", ") for kind, _, names in (line.partition(" ") for line in usable.splitlines())}
     levels = [level.strip() for level in usable.split("usable here:")[1].split(")")[0].split(",") if WITH_OTHER_DIGITS not in level]

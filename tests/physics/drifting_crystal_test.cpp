@@ -2,7 +2,6 @@
 // centre.
 #include <catch2/catch.hpp>
 
-#include "core/same_bits.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
 
@@ -35,7 +34,6 @@ FluidSpec crystal(const std::string& thermostat_name) {
 }  // namespace
 
 TEST_CASE("a crystal keeps its order, and its atoms do not diffuse, under every thermostat") {
-    const test::SameBits same_bits;
     for (const char* name : {"langevin", "andersen", "stochastic-rescaling"}) {
         CAPTURE(name);
         const RunResult result = Simulation(crystal(name)).run();

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "core/kolmogorov_smirnov.hpp"
-#include "core/same_bits.hpp"
 #include "integrators/oscillator.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "physics/liquid.hpp"
@@ -195,7 +194,6 @@ TEST_CASE("energies at two temperatures are in the ratio of their Boltzmann fact
 }
 
 TEST_CASE("thermostats that keep the motion conserve energy and heat together", "[ensembles]") {
-    const test::SameBits everywhere;
     for (const char* name : {"nose-hoover-chain", "stochastic-rescaling"}) {
         CAPTURE(name);
         const State start = test::liquid(4, 3);

@@ -19,7 +19,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 BEYOND = 0.024  # of Student's distribution of six degrees of freedom, beyond three
 
@@ -137,7 +136,6 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--long", action="store_true")
     options = parser.parse_args()
-    compute_same_bits_everywhere()
     with tempfile.TemporaryDirectory() as folder:
         program = Program(options.ljmd, pathlib.Path(folder))
         for name in SETTLED:

@@ -18,7 +18,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 SEEDS = 60
 LEAST, MOST = 0.7, 1.32
@@ -147,7 +146,6 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--long", action="store_true")
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     for density, temperature in STATES:
         check_insertions(arguments.ljmd, density, temperature)
     check_scatter(arguments.ljmd)

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/same_bits.hpp"
 #include "forces/made_external_force.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/integrators/integrator.hpp"
@@ -88,7 +87,6 @@ class Profile : public Observer {
 }  // namespace
 
 TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature of its thermostat") {
-    const SameBits everywhere;
     constexpr double depth = 1.5;
     Simulation simulation(free_atoms(wave(depth)));
     Profile profile;
@@ -116,7 +114,6 @@ TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature 
 
 TEST_CASE(
     "equipartition of atoms on springs: 3/2 T of potential and of kinetic energy each, the centre of mass included") {
-    const SameBits everywhere;
     for (const char* bath : {"langevin", "andersen"}) {
         CAPTURE(bath);
         FluidSpec spec = free_atoms(springs(4.0));
@@ -133,7 +130,6 @@ TEST_CASE(
 }
 
 TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or not that would conserve momentum") {
-    const SameBits everywhere;
     for (const char* bath : {"langevin", "andersen", "stochastic-rescaling", "nose-hoover-chain"}) {
         CAPTURE(bath);
         FluidSpec spec = free_atoms(wave(2.0));
@@ -154,7 +150,6 @@ TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or
 }
 
 TEST_CASE("velocity Verlet conserves the total energy in a field to second order") {
-    const SameBits everywhere;
     const auto deviation = [](double dt) {
         FluidSpec spec = free_atoms(wave(3.0));
         spec.potential = PairPotential::lennard_jones("force-shifted", {.radius = 2.0, .switch_start = 0.0});

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/same_bits.hpp"
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/engine/time_loop.hpp"
@@ -47,7 +46,6 @@ const std::string ideal_gas =
 class Sampled : private StepObserver {
   public:
     Sampled(const std::string& deck_text, Index every) : every_(every) {
-        const SameBits same_bits;
         const Deck deck = DeckFolder(deck_text).load();
         FluidSystem simulation = simulation_of(deck);
         state_ = &simulation.state;

@@ -26,7 +26,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 DILUTE = """
 [system]
@@ -143,7 +142,6 @@ def main() -> int:
     parser.add_argument("--long", action="store_true")
     arguments = parser.parse_args()
     thermostats = tuple(SEEDS) if arguments.long else QUICK
-    compute_same_bits_everywhere()
     with tempfile.TemporaryDirectory() as folder:
         check_pressure(arguments.ljmd, folder, thermostats)
         for thermostat in thermostats:

@@ -29,7 +29,6 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 CELLS, DENSITY, TEMPERATURE, CUTOFF = 4, 1.0, 0.002, 2.4
 NOT_HARMONIC = 0.003  # of <u^2>, relative
@@ -127,7 +126,6 @@ def main() -> int:
     parser.add_argument("--seeds", type=int, default=1)
     arguments = parser.parse_args()
     ljmd = str(pathlib.Path(arguments.ljmd).resolve())
-    compute_same_bits_everywhere()
     eigenvalues = hessian_eigenvalues()
     check("three modes of the whole crystal", float(np.abs(eigenvalues[:3]).max()), 0.0, 1e-8)
     check("the others are stable", float(eigenvalues[3] > 1.0), 1.0, 0.0)

@@ -19,7 +19,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 SHORT = ((0.8, 100_000, 0.065),)  # temperature, steps, largest relative error of the tension
 LONG = ((0.7, 400_000, 0.03), (0.8, 400_000, 0.03), (0.9, 900_000, 0.03))
@@ -55,7 +54,6 @@ def main() -> int:
     parser.add_argument("--deck", required=True, type=pathlib.Path)
     parser.add_argument("--long", action="store_true")
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     for run in LONG if arguments.long else SHORT:
         check_film(arguments.ljmd, arguments.deck, *run)
     return exit_code()

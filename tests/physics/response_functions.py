@@ -22,7 +22,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 SEEDS = 60
 LEAST, MOST = 0.7, 1.32
@@ -154,7 +153,6 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--scatter", action="store_true")
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     if arguments.scatter:
         for ensemble in ("constant temperature", "constant energy", "constant pressure"):
             check_scatter(arguments.ljmd, ensemble)

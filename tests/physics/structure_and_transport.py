@@ -23,7 +23,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 
 def table(path: pathlib.Path) -> list[dict[str, float]]:
@@ -107,7 +106,6 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--decks", required=True, type=pathlib.Path)
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     check_triple_point(arguments.ljmd, arguments.decks / "structure-and-transport.toml")
     check_rahman(arguments.ljmd, arguments.decks / "rahman-1964.toml")
     return exit_code()

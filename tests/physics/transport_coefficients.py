@@ -27,7 +27,6 @@ from typing import NamedTuple
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 
 class State(NamedTuple):
@@ -66,7 +65,6 @@ def main() -> int:
     parser.add_argument("--deck", required=True, type=pathlib.Path)
     parser.add_argument("--long", action="store_true")
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     for state in [TRIPLE_POINT, SUPERCRITICAL, WIDER_CUTOFF] if arguments.long else [TRIPLE_POINT]:
         check_state(arguments.ljmd, arguments.deck, state, 5 if arguments.long else 4,
                     700_000 if arguments.long else 100_000, arguments.long)

@@ -19,7 +19,6 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
-from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 CELLS, STRETCH = 5, (1.03, 1.0, 1.02)
 EDGE = 8.15  # near that of the crystal at p = 0
@@ -83,7 +82,6 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
     arguments = parser.parse_args()
-    compute_same_bits_everywhere()
     ljmd = str(pathlib.Path(arguments.ljmd).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/same_bits.hpp"
 #include "ljmd/ljmd.hpp"
 
 using namespace ljmd;
@@ -32,7 +31,6 @@ FluidSpec gas(std::uint64_t seed, Index steps) {
 }  // namespace
 
 TEST_CASE("of 400 short runs that end at an error 61 to 75 % cover the truth", "[long]") {
-    const test::SameBits same_bits;
     const Execution execution;
     Simulation longest(gas(1, 4'000'000), execution);
     const double truth = longest.run().observable("potential_energy").estimate->mean;

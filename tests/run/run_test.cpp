@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/same_bits.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -196,7 +195,6 @@ TEST_CASE("lists that were kept too long are told of") {
 }
 
 TEST_CASE("a long run of a liquid leaves no doubt") {
-    const test::SameBits everywhere;  // judged by its statistics
     const Finished run(small_deck, {"stage.equilibrate.steps=600", "stage.equilibrate.temperature=3",
                                     "stage.production.steps=20000", "output.thermo.every=5"});
     INFO(to_json(run.result.warnings));

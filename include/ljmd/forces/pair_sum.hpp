@@ -45,10 +45,9 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
 
     const auto sum_part = [&](Index part, Index) {
         const AtomRange range = search.atoms_of(atoms, part);
-        double u = 0.0;
-        std::array<double, 6> virial{};  // xx yy zz xy xz yz
+        PartSums halves[2];  // by PairVisit::upper, so that the order of a sum does not depend on the shape of rows
         search.for_each_candidate(atoms, part, [&](const PairVisit& visit) {
-            const auto& [i, j, dx, dy, dz, once] = visit;
+            const auto& [i, j, dx, dy, dz, once, upper] = visit;
             const double r2 = dx * dx + dy * dy + dz * dz;
             if (!(r2 < cutoff2)) {
                 return;
@@ -66,6 +65,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             if constexpr (what.energy) {
                 const double sides = once ? 2.0 : 1.0;
                 const double w = sides * term.w;
+                auto& [u, virial] = halves[upper ? 1 : 0];
                 u += sides * term.u;
                 virial[0] += w * dx * dx;
                 virial[1] += w * dy * dy;
@@ -77,9 +77,9 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         });
         if constexpr (what.energy) {
             PartSums& sums_of_part = of_parts[static_cast<std::size_t>(part)];
-            sums_of_part.energy = 0.5 * u;  // each pair was counted from both sides
-            for (std::size_t k = 0; k < virial.size(); ++k) {
-                sums_of_part.virial[k] = 0.5 * virial[k];
+            sums_of_part.energy = 0.5 * (halves[0].energy + halves[1].energy);  // each pair was counted from both sides
+            for (std::size_t k = 0; k < sums_of_part.virial.size(); ++k) {
+                sums_of_part.virial[k] = 0.5 * (halves[0].virial[k] + halves[1].virial[k]);
             }
         }
     };

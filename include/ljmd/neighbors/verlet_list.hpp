@@ -157,17 +157,18 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
     }
     const std::uint32_t* row = tile.starts.data();
     const Index halves = ClusterGrid::slots / built_for_shape_.others;
-    const auto meet = [&](Index i, const AtomRange& others, const Vec3& shift) {
+    const auto meet = [&](Index i, const AtomRange& others, Index first_slot, const Vec3& shift) {
         const Vec3 from = r.col(i) - shift;  // exact on the coordinate grid
         for (Index j = others.first; j < others.last; ++j) {
-            visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), true});
+            const bool upper = first_slot + j - others.first >= ClusterGrid::slots / 2;
+            visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), true, upper});
         }
     };
     for (Index c = 0; c < own.length(); ++c) {
         const auto [first, last] = clusters[static_cast<std::size_t>(c)].atoms;
         for (Index i = first; i < last; ++i) {
             const std::uint32_t* starts = row + halves * ((i - first) / built_for_shape_.atoms);
-            meet(i, {i + 1, last}, Vec3::Zero());
+            meet(i, {i + 1, last}, i + 1 - first, Vec3::Zero());
             for (std::uint32_t e = starts[0]; e < starts[halves]; ++e) {
                 const auto number = static_cast<std::size_t>(tile.entries[e] / (3 * ClusterGrid::slots));
                 if (number == static_cast<std::size_t>(c)) {
@@ -175,7 +176,8 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
                 }
                 const Index slot = tile.entries[e] % (3 * ClusterGrid::slots);
                 const auto& [all, shift] = clusters[number];
-                meet(i, {all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)}, shift);
+                meet(i, {all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)}, slot,
+                     shift);
             }
         }
         row += halves * ((last - first + built_for_shape_.atoms - 1) / built_for_shape_.atoms);
