@@ -10,7 +10,7 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/digits.hpp"
+#include "ljmd/engine/verification/digits.hpp"
 #include "ljmd/execution/threads.hpp"
 
 namespace ljmd {

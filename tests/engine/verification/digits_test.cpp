@@ -1,4 +1,4 @@
-#include "ljmd/engine/digits.hpp"
+#include "ljmd/engine/verification/digits.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "ljmd/engine/digits.hpp"
+#include "ljmd/engine/verification/digits.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
