@@ -9,7 +9,7 @@ namespace ljmd::test {
 struct TwelveSix {
     PairTerm<double> operator()(const PairDistance<double>& d) const {
         const double s6 = d.inverse_r2 * d.inverse_r2 * d.inverse_r2;
-        return {4.0 * s6 * (s6 - 1.0), d.inverse_r2 * s6 * (48.0 * s6 - 24.0)};
+        return {4.0 * s6 * (s6 - 1.0), 48.0 * d.inverse_r2 * s6 * (s6 - 0.5)};
     }
 };
 

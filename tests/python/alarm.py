@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import select
 import signal
 import sys
 import threading
@@ -83,9 +84,16 @@ class Alarm:
     def never_returns(self, _=None):
         """An observable or a force for the run, which is to be interrupted in it."""
         time.sleep(2 * FIRST_MOMENTS)
-        self.tell()
-        signal.sigtimedwait([], waiting.PATIENCE)  # returns when a handler of signals has run
-        raise TimeoutError("nobody has interrupted this")
+        read, write = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
+        before = signal.set_wakeup_fd(write)  # so that a signal is not missed that comes before the call that waits for it
+        try:
+            self.tell()
+            select.select([read], [], [], waiting.PATIENCE)
+            raise TimeoutError("nobody has interrupted this")
+        finally:
+            signal.set_wakeup_fd(before)
+            os.close(read)
+            os.close(write)
 
     def __exit__(self, kind, error, trace):
         if not self.begun.is_set():
