@@ -203,7 +203,9 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
                         stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));
     }
-    const auto fluid_now = [&] { return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail()); };
+    const auto fluid_now = [&] {
+        return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail());
+    };
     const Execution& execution = simulation.state.execution();
     const bool mixed = simulation.force_field.precision() == Precision::mixed;
     // Report a missing program now, not after minutes of equilibration.

@@ -99,7 +99,8 @@ TEST_CASE("elementary functions have the same bits on every machine") {
     CHECK(hash_of([](double x) { return exponential_minus_one(x); }, -3.0, 3.0) == 0x6936805b917e28a4);
     CHECK(hash_of(cube_root, 0.0, 1e4) == 0x33641254408d862);
     CHECK(hash_of(sine, -1e4, 1e4) == 0xa1e880a70ddad987);
-    CHECK(hash_of([](double t) { return of_turns(t).sine + 3.0 * of_turns(t).cosine; }, 0.0, 1.0) == 0xe8aece03c95124e1);
+    CHECK(hash_of([](double t) { return of_turns(t).sine + 3.0 * of_turns(t).cosine; }, 0.0, 1.0) ==
+          0xe8aece03c95124e1);
 }
 
 TEST_CASE("elementary functions know their special values") {

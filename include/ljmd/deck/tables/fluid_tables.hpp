@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "ljmd/deck/tables/output_table.hpp"
+#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/engine/tables/potential_table.hpp"
 #include "ljmd/engine/tables/system_table.hpp"
-#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/options/placed.hpp"
 
 namespace ljmd {
