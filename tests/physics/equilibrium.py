@@ -114,8 +114,9 @@ def check_settled(program: Program, name: str, count: int) -> None:
         rms = math.sqrt(sum(one * one for one in off) / len(off)) if off else math.nan
         print(f"{name}: {quantity} {sum(one['mean'] for one in found) / count:.5f}; {len(off)} of {count} without a remark, "
               f"scatter over error {rms:.2f}")
+        # No more often than chance: what it leads to expect, and two standard deviations of such a number.
         check(f"{name}: {quantity} more than three errors off without a remark", sum(abs(one) > 3 for one in off), 0,
-              max(BEYOND * count, 2))
+              max(BEYOND * count + 2.0 * math.sqrt(BEYOND * count), 2))
 
 
 def check_unsettled(program: Program, name: str, count: int) -> None:

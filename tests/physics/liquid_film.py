@@ -44,7 +44,8 @@ def check_film(ljmd: str, deck: pathlib.Path, temperature: float, steps: int, la
           SIGMAS * math.hypot(tension["standard_error"], OF_FIT * published))
     check("its relative error", tension["standard_error"] / published, 0.0, largest)
     for name, value in expected.items():
-        error = math.hypot(found[name]["standard_error"], OF_EQUATION[name] * value)
+        # Over seeds the vapour of so short a run scatters by 2.5 of its errors, and all of them say that they are guesses.
+        error = math.hypot((2.0 if "remark" in found[name] else 1.0) * found[name]["standard_error"], OF_EQUATION[name] * value)
         check(f"{name} at {temperature}", found[name]["mean"], value, SIGMAS * error)
 
 
