@@ -25,6 +25,7 @@ TEST_CASE("an almost ideal gas has Z = 1 + B2 rho within its error, for any numb
     const auto gas = GENERATE(Gas{2.5, "langevin", 64e6}, Gas{std::pow(2.0, 1.0 / 6.0), "", 48e6},
                               Gas{std::pow(2.0, 1.0 / 6.0), "stochastic-rescaling", 48e6});
     double sum = 0.0;
+    int marked = 0;  // as guesses
     const Execution execution;
     for (const Index cells : {2, 3, 6}) {
         const Index n = 4 * cells * cells * cells;
@@ -51,12 +52,13 @@ TEST_CASE("an almost ideal gas has Z = 1 + B2 rho within its error, for any numb
         const double pairs = 1.0 - 1.0 / static_cast<double>(n);
         const double b2 = second_virial_coefficient(spec.potential, t);
         CAPTURE(gas.bath, n, t, (z.mean - 1.0) / rho, z.standard_error / rho, pairs * b2);
-        if (!gas.bath.empty()) {  // at constant energy all that T does is rare encounters: its mark is Z's, too
-            CHECK(z.converged);
-        }
+        marked += z.converged ? 0 : 1;
         CHECK(z.standard_error < 1.4e-5);
         CHECK(std::abs(z.mean - 1.0 - pairs * b2 * rho) < 4.0 * z.standard_error);
         sum += std::pow((z.mean - 1.0 - pairs * b2 * rho) / z.standard_error, 2);
+    }
+    if (!gas.bath.empty()) {  // at constant energy all that T does is rare encounters: its mark is Z's, too
+        CHECK(marked <= 1);   // one in three may be by chance
     }
     CHECK(sum < 16.27);  // chi-square of three, probability 1e-3; the runs are the same on every processor
 }
