@@ -74,7 +74,7 @@ Table table_of(const py::handle& dict, const std::string& name, int depth) {
         const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
         if (!value.is_none() || depth > with_none) {
             const std::string word = key_of(key, name.empty() ? "a deck" : name);
-            table.push_back({word, {}, value_of(value, name.empty() ? word : name + "." + word, depth)});
+            table.push_back({word, {}, value_of(value, name.empty() ? word : fmt::format("{}.{}", name, word), depth)});
         }
     }
     return table;
