@@ -31,7 +31,7 @@ class Output:
     needs_run: bool = False  # `out`, the directory of a run
     can_force: bool = True  # --force replaces a foreign file; else it refuses that, too
     runs: bool = True  # short enough to be run to its end
-    copies: bool = True  # a copy of the program alone can do it
+    copies: bool = True  # a copy of the program alone can do it, without scripts and modules
     says: str = ""  # part of each refusal; the name by default
 
     def __str__(self):
@@ -48,7 +48,7 @@ OUTPUTS = [
     Output(("evaluate", "out/final.xyz", *CUT, "--out", "x.xyz"), "x.xyz", needs_run=True),
     Output(("evaluate", "out/final.xyz", *CUT, "--out", "x.dump"), "x.dump", needs_run=True),
     Output(("analyze", "out", "rdf", "--out", "x"), "x/rdf.csv", needs_run=True),
-    *(Output(("export", "out", "--to", target, "--out", "x"), f"x/{name}", needs_run=True)
+    *(Output(("export", "out", "--to", target, "--out", "x"), f"x/{name}", needs_run=True, copies=target != "openmm")
       for target, name in (("lammps", "start.data"), ("lammps", "in.lammps"), ("extxyz", "start.xyz"), ("h5md", "start.h5md"),
                            ("openmm", "system.xml"), ("openmm", "state.xml"), ("openmm", "integrator.xml"))),
     *(Output(("compare", "stars.toml", "--with", "gsl", "--quiet", "--out", "x"), f"x/compare-gsl.{ending}") for ending in ("csv", "json")),
@@ -190,7 +190,7 @@ def no_permission(output):
         options = {}
         if os.geteuid() == 0:
             if not output.copies:
-                raise Skip("others may not enter the folder of the scripts")
+                raise Skip("others may not enter the folder of scripts and modules")
             t.dir.chmod(0o755)
             t.ljmd = shutil.copy(t.ljmd, t.dir / "ljmd")
             options = {"preexec_fn": as_nobody}
