@@ -12,7 +12,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A number as the sum of two, of which the second is at most half a unit in the last place of the first.
+/// A number as the sum of two. The second is at most half a unit in the last place of the first.
 struct Pair {
     double high;
     double low;

@@ -84,7 +84,7 @@ TEST_CASE("elementary functions are right within one unit in the last place") {
     const auto sin = [](long double x) { return std::sin(x); };
     CHECK(worst(sine, sin, [&] { return u(-10.0, 10.0); }) <= 1.0);
     CHECK(worst(sine, sin, [&] { return u.any(-1000, 40); }) <= 1.0);
-    // A turn is reduced exactly to an eighth of one, of which extended precision has enough digits.
+    // A turn is reduced exactly to an eighth of one. For that much extended precision has enough digits.
     constexpr long double circle = 2.0L * std::numbers::pi_v<long double>;
     const auto small = [&] { return u(-0.125, 0.125); };
     CHECK(worst([](double t) { return of_turns(t).sine; }, [](long double t) { return std::sin(circle * t); }, small) <=

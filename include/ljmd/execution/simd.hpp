@@ -64,7 +64,7 @@ enum class Precision {
 /// have the same bits on every machine.
 [[nodiscard]] std::string digits_rule(SimdLevel level, Precision precision);
 
-/// The level with this name if it is one of the usable ones, else the last of these with the same digits.
+/// The level with this name if it is usable, else the highest usable level with the same digits.
 /// @throws InputError if there is none
 [[nodiscard]] SimdLevel level_with_digits_of(const std::string& name, Precision precision,
                                              const std::vector<SimdLevel>& usable = usable_simd_levels());
