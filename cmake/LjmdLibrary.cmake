@@ -87,14 +87,12 @@ if(NOT LJMD_PROGRAM)
     return()
 endif()
 
-# The command line is read by the program alone.
-set(ljmd_main_sources main.cpp described_commands.cpp own_commands.cpp evaluate/evaluate_options.cpp)
-list(TRANSFORM ljmd_main_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
+set(ljmd_main ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 ljmd_sources_of(ljmd_program_sources ${ljmd_program_rooms})
-list(REMOVE_ITEM ljmd_program_sources ${ljmd_main_sources})
-ljmd_part(ljmd_program STATIC ${ljmd_program_sources})
+list(REMOVE_ITEM ljmd_program_sources ${ljmd_main})
+ljmd_part(ljmd_program STATIC ${ljmd_program_sources} ${ljmd_program_registries})
 target_precompile_headers(ljmd_program REUSE_FROM ljmd_engine)
-target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE GSL::gsl PkgConfig::xxhash Threads::Threads ZLIB::ZLIB)
+target_link_libraries(ljmd_program PUBLIC ljmd_library PRIVATE CLI11::CLI11 GSL::gsl PkgConfig::xxhash Threads::Threads ZLIB::ZLIB)
 # The page of `ljmd report`, which the assembler includes.
 set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES
@@ -134,11 +132,9 @@ if(OpenMM_FOUND)
     ljmd_includes_openmm(${openmm_sources})
 endif()
 
-add_executable(ljmd ${ljmd_main_sources})
+add_executable(ljmd ${ljmd_main})
 if(ljmd_modules)
     add_dependencies(ljmd ${ljmd_modules})
 endif()
 ljmd_finds_libraries(ljmd ${CMAKE_INSTALL_BINDIR})
-target_link_libraries(ljmd PRIVATE ljmd_program ljmd_options CLI11::CLI11 fmt::fmt)
-# They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
-set_property(SOURCE ${ljmd_main_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
+target_link_libraries(ljmd PRIVATE ljmd_program ljmd_options)

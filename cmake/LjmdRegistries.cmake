@@ -65,6 +65,7 @@ std::vector<${type}> ${function}() { return {@calls@}; }
 endfunction()
 
 ljmd_formula_list(ljmd/potentials/formulas ljmd/potentials/formula_list.hpp)
+ljmd_plugin_list(cli/commands std::shared_ptr<Command> ljmd/cli/command.hpp all_commands ljmd_program_registries)
 ljmd_plugin_list(forces/few_body FewBodyForceMethod ljmd/forces/few_body_force.hpp all_few_body_forces ljmd_engine_registries)
 ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_engine_registries)
 ljmd_plugin_list(integrators/barostats BarostatMethod ljmd/integrators/barostat.hpp all_barostats ljmd_engine_registries)

@@ -25,7 +25,7 @@ def need(program):
 
 
 def commands_of(t):
-    listed = t.run_well("help").out.split("Subcommands:\n")[1]
+    listed = t.run_well("help").out.split("Runs:\n")[1]
     return re.findall(r"^  (\w+)", listed, flags=re.M)
 
 

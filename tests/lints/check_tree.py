@@ -26,9 +26,6 @@ import lint
 # sources without a test of their own -> why
 WITHOUT_TEST = {
     "src/cli/main.cpp": "hands the command line over; the tests in tests/cli run the program",
-    "src/cli/described_commands.cpp": "part of the program, as main.cpp, not of the library",
-    "src/cli/own_commands.cpp": "part of the program, as main.cpp, not of the library",
-    "src/cli/evaluate/evaluate_options.cpp": "part of the program, as main.cpp, not of the library",
     "src/execution/mpi/*.cpp": "takes several processes: tests/mpi runs the program in them",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/python/*.cpp": "the binding: tests/python tries it through the package",

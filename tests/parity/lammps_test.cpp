@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "cli/command_words.hpp"
 #include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
 #include "deck/deck_fixtures.hpp"
 #include "forces/every_potential.hpp"
-#include "ljmd/cli/commands.hpp"
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
@@ -248,11 +248,10 @@ TEST_CASE("the exported input has our energy and pressure in LAMMPS, of a start 
     const std::string run = (folder / "out").string();
     const std::string end = (folder / "end").string();
     static_cast<void>(said([&] {
-        DeckOptions options{.deck = folder.deck_path().string(), .settings = {}, .quiet = true};
-        export_command(options, "lammps", start);
-        run_command(options, run);
-        options.deck = run;
-        export_command(options, "lammps", end);
+        const std::string deck = folder.deck_path().string();
+        command({"export", deck, "--to", "lammps", "--out", start, "--quiet"});
+        command({"run", deck, "--out", run, "--quiet"});
+        command({"export", run, "--to", "lammps", "--out", end, "--quiet"});
     }));
     const Deck deck = folder.load();
     check_row(first_row(start), ours(deck, simulation_of(deck).state));

@@ -53,7 +53,7 @@ std::string items(const std::vector<CommandOption>& options) {
     return text;
 }
 
-std::string section(const Command& command) {
+std::string section(const DescribedCommand& command) {
     std::string synopsis = bold("ljmd " + command.name);
     for (const CommandOption& argument : command.arguments()) {
         synopsis += " " + argument_in_synopsis(argument);
@@ -136,7 +136,7 @@ std::string man_page(const CommandTree& tree) {
     text += fmt::format(".SH NAME\n{} \\- {}\n", roff(name), roff(tree.program.meaning));
     text += fmt::format(".SH SYNOPSIS\n{} {} [{}]\n", bold(name), italic("COMMAND"), italic("OPTIONS"));
     text += fmt::format(".SH OPTIONS\n{}.SH COMMANDS\n", items(tree.program.named_options()));
-    for (const Command& command : tree.commands) {
+    for (const DescribedCommand& command : tree.commands) {
         text += section(command);
     }
     return text + rest;

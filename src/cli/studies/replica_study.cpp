@@ -9,6 +9,7 @@
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -43,6 +44,14 @@ class ReplicaRun : public RunLine {
 };
 
 }  // namespace
+
+bool holds_replicas(const std::filesystem::path& directory) {
+    if (!files::exists(directory / "sweep.json")) {
+        return false;
+    }
+    const auto plan = recorded_sweep(directory);
+    return plan && plan->replicas > 0;
+}
 
 Deck deck_of_replicas(const SweepPlan& plan) {
     Diagnostics diagnostics;

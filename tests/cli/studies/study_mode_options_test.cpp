@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "ljmd/cli/studies/sweep_options.hpp"
-
 using namespace ljmd;
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/deck_options.hpp"
 #include "ljmd/compare/crosscheck.hpp"
 #include "ljmd/deck/checked_run.hpp"
 

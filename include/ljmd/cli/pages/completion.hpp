@@ -1,21 +1,23 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ljmd/cli/pages/command_tree.hpp"
 
 namespace ljmd {
 
-/// The script by which a shell completes command lines of the program: commands, options, their values, keys of decks
-/// behind --set, files. @param shell  "bash", "fish" or "zsh"  @throws InputError for another one
-[[nodiscard]] std::string completion(const CommandTree& tree, const std::string& shell);
+/// What the last word of a command line can be: one line for each possible word, with what it means behind a tab. A
+/// word that ends in '=' wants more behind it. Where files are wanted, a line ":files", ":directories" or ":decks"
+/// (which end in .toml) asks the shell for them.
+/// @param words  those behind the name of the program; the last is the one to complete, and may be empty
+[[nodiscard]] std::string completions(const CommandTree& tree, const std::vector<std::string>& words);
 
-[[nodiscard]] std::string bash_completion(const CommandTree& tree);
-[[nodiscard]] std::string fish_completion(const CommandTree& tree);
-[[nodiscard]] std::string zsh_completion(const CommandTree& tree);
+/// The shells that have a completion_script().
+[[nodiscard]] std::vector<std::string> completed_shells();
 
-/// Dotted keys of all decks as --set takes them, sorted; "NAME" and "NUMBER" stand for an element of an array of
-/// tables.
-[[nodiscard]] std::vector<std::string> all_deck_keys();
+/// The script by which a shell asks `ljmd complete` for completions(). @throws InputError for another shell
+[[nodiscard]] std::string_view completion_script(const std::string& shell);
 
 }  // namespace ljmd

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <filesystem>
+
 #include "ljmd/core/document.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/study/sweep_record.hpp"
 
 namespace ljmd {
+
+/// Whether a directory holds replicas. @throws DataError  its sweep.json is damaged
+[[nodiscard]] bool holds_replicas(const std::filesystem::path& directory);
 
 /// The deck of replicas with the settings of the command line. @throws InputError  it has mistakes
 [[nodiscard]] Deck deck_of_replicas(const SweepPlan& plan);

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ljmd/cli/command.hpp"
+#include "ljmd/cli/deck_options.hpp"
+#include "ljmd/cli/ranks.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/compare/recorded_comparison.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/options/registry.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/run/directory_report.hpp"
+#include "ljmd/study/study_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// The subject of `ljmd info`, at most one of these; by default the program.
+struct InfoOptions {
+    std::string directory = {};  ///< of a run or a study
+    bool keys = false;           ///< the reference page of all keys of a deck, in Markdown
+    bool schema = false;         ///< a JSON Schema of decks
+    bool json = false;           ///< the program or the directory, as JSON
+};
+
+std::vector<std::string_view> usable_levels() {
+    std::vector<std::string_view> names;
+    for (const SimdLevel level : usable_simd_levels()) {
+        names.push_back(name(level));
+    }
+    return names;
+}
+
+/// What decks can select, with the headings of `ljmd info`.
+std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
+    std::vector<std::string> trajectories = plugin_names(all_trajectory_formats());
+    trajectories.emplace_back("csv (few bodies)");
+    return {{"potentials", PairPotential::formula_names()},
+            {"truncations", PairPotential::truncation_names()},
+            {"pair search", pair_search_names()},
+            {"forces", plugin_names(all_few_body_forces())},
+            {"integrators", plugin_names(all_integrators())},
+            {"thermostats", plugin_names(all_thermostats())},
+            {"barostats", plugin_names(all_barostats())},
+            {"analyses", plugin_names(all_analyses())},
+            {"of few bodies", plugin_names(all_few_body_analyses())},
+            {"equations", plugin_names(all_equations_of_state())},
+            {"trajectories", trajectories}};
+}
+
+struct OpenmmHere {
+    std::string line;
+    std::string version{};
+    std::vector<std::string> platforms{};
+};
+
+OpenmmHere openmm_here() {
+    if (!openmm_is_built_in()) {
+        return {"not built in"};
+    }
+    try {
+        return {fmt::format("{}, platforms {}, by {}", openmm_version(), fmt::join(openmm_platforms(), ", "),
+                            openmm_module().string()),
+                openmm_version(), openmm_platforms()};
+    } catch (const InputError& error) {
+        return {error.what()};
+    }
+}
+
+std::string info_text() {
+    const BuildInfo& build = build_info();
+    const ProgramModule mpi = mpi_module();
+    std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
+    text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
+                        build.build_type, build.flags);
+    text += fmt::format("simd          {} (usable here: {})\n", name(default_simd_level()),
+                        fmt::join(usable_levels(), ", "));
+    text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
+                        available_processors());
+    text += fmt::format("openmm        {}\n", openmm_here().line);
+    text += fmt::format("mpi           {}\n", mpi.is_there() ? mpi.path().string() : "not built in");
+    for (const auto& [word, names] : selectable()) {
+        text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
+    }
+    return text;
+}
+
+std::string info_json() {
+    const BuildInfo& build = build_info();
+    Data integrators = Data::list();
+    for (const IntegratorMethod& method : all_integrators()) {
+        integrators.push_back({{"name", method.name},
+                               {"meaning", method.meaning},
+                               {"order", method.order},
+                               {"reversible", method.reversible},
+                               {"adaptive", method.adaptive},
+                               {"unbounded_only", method.unbounded_only}});
+    }
+    const OpenmmHere openmm = openmm_here();
+    const ProgramModule mpi = mpi_module();
+    const Data json = {{"version", build.version},
+                       {"commit", build.commit},
+                       {"compiler", build.compiler + " " + build.compiler_version},
+                       {"build_type", build.build_type},
+                       {"flags", build.flags},
+                       {"simd", name(default_simd_level())},
+                       {"simd_levels", usable_levels()},
+                       {"processors", available_processors()},
+                       {"openmm", openmm.version},
+                       {"mpi", mpi.is_there() ? Data(mpi.path().string()) : Data(nullptr)},
+                       {"openmm_platforms", openmm.platforms},
+                       {"potentials", PairPotential::formula_names()},
+                       {"truncations", PairPotential::truncation_names()},
+                       {"pair_searches", pair_search_names()},
+                       {"forces", plugin_names(all_few_body_forces())},
+                       {"integrators", integrators},
+                       {"thermostats", plugin_names(all_thermostats())},
+                       {"barostats", plugin_names(all_barostats())},
+                       {"analyses", plugin_names(all_analyses())},
+                       {"few_body_analyses", plugin_names(all_few_body_analyses())},
+                       {"equations_of_state", plugin_names(all_equations_of_state())},
+                       {"trajectory_formats", plugin_names(all_trajectory_formats())}};
+    return to_json(json) + "\n";
+}
+
+class InfoCommand : public Command {
+  public:
+    InfoCommand()
+        : Command("info", Part::program,
+                  "version, build and what decks can select; of a run or sweep, how far it got") {}
+
+    void add_options(CLI::App& command) override {
+        CLI::Option* of_run =
+            command.add_option("directory", options_.directory, "directory of a run, a sweep or a reproduced table")
+                ->type_name("RUNDIR");
+        CLI::Option* page =
+            command.add_flag("--keys", options_.keys, "the reference page of all deck keys, in Markdown");
+        page->excludes(of_run);
+        CLI::Option* schema = command.add_flag("--schema", options_.schema,
+                                               "a JSON Schema of decks, with which editors complete and check");
+        schema->excludes(of_run)->excludes(page);
+        command.add_flag("--json", options_.json, "print it as JSON")->excludes(page)->excludes(schema);
+    }
+
+    void run() override {
+        if (options_.keys) {
+            print_result(deck_reference_page());
+        } else if (options_.schema) {
+            print_result(deck_json_schema());
+        } else if (options_.directory.empty()) {
+            print_result(options_.json ? info_json() : info_text());
+        } else if (holds_study(options_.directory)) {
+            print_document(study_report(options_.directory, result_columns()), options_.json);
+        } else if (!input_is_there(std::filesystem::path(options_.directory) / "run.json") &&
+                   holds_comparison(options_.directory)) {
+            print_document(comparison_report(options_.directory), options_.json);
+        } else {
+            print_document(directory_report(options_.directory), options_.json);
+        }
+    }
+
+  private:
+    InfoOptions options_;
+};
+
+}  // namespace
+
+std::shared_ptr<Command> info_command() {
+    return std::make_shared<InfoCommand>();
+}
+
+}  // namespace ljmd

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "ljmd/cli/command.hpp"
+#include "ljmd/cli/deck_options.hpp"
+#include "ljmd/cli/example_decks.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/io/files/shell_word.hpp"
+#include "ljmd/run/output_guard.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of `ljmd init`.
+struct InitOptions {
+    std::string file{};             ///< empty: <example>.toml in the working directory
+    std::string example = "first";  ///< one of example_names()
+    bool force = false;
+    bool list = false;  ///< print the examples instead
+};
+
+std::string list_of_examples() {
+    TextTable table({{"", TextTable::Align::left}, {"", TextTable::Align::left}});
+    for (const ExampleDeck& deck : example_decks()) {
+        table.add({std::string(deck.name), std::string(deck.title())});
+    }
+    return table.text();
+}
+
+class InitCommand : public Command {
+  public:
+    InitCommand() : Command("init", Part::runs, "write a commented deck to begin with") {}
+
+    void add_options(CLI::App& command) override {
+        command.add_option("file", options_.file, "deck to write, EXAMPLE.toml by default")->type_name("FILE");
+        command.add_option("--example", options_.example, "the deck of that name; first by default")
+            ->type_name("EXAMPLE");
+        command.add_flag("--force", options_.force, "replace the file if it exists");
+        command.add_flag("--list", options_.list, "print names and titles of the examples; nothing is written");
+    }
+
+    void run() override {
+        if (options_.list) {
+            print_result(list_of_examples());
+            return;
+        }
+        const ExampleDeck& deck = example_deck(options_.example);
+        const fs::path file =
+            options_.file.empty() ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options_.file);
+        write_output(file, {.force = options_.force}, deck.text);
+        print_result(fmt::format(
+            "{0}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall keys: ljmd info --keys\n",
+            file.string(), shell_word(file)));
+    }
+
+  private:
+    InitOptions options_;
+};
+
+}  // namespace
+
+std::shared_ptr<Command> init_command() {
+    return std::make_shared<InitCommand>();
+}
+
+}  // namespace ljmd

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+
+#include "ljmd/cli/command.hpp"
+#include "ljmd/cli/deck_options.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/recorded_comparison.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/process.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/report/page.hpp"
+#include "ljmd/report/report.hpp"
+#include "ljmd/report/written_report.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of `ljmd report`.
+struct ReportOptions {
+    std::vector<std::string> directories = {};
+    std::string out = {};  ///< file; empty: report.html in the directory, or in the working directory for several
+    bool force = false;    ///< replace a file that is no page of ljmd
+    bool open = false;     ///< open the page in a browser
+    bool json = false;     ///< print the page's data instead of writing a page
+};
+
+/// Open a page in the browser of the desktop, if there is one.
+void open_page(const fs::path& page) {
+    const auto opener = find_program("xdg-open");
+    const bool has_desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    const std::string by_hand = fmt::format("open {} in a browser", page.string());
+    if (!opener || !has_desktop) {
+        warn(fmt::format("{}: {}", opener ? "there is no desktop here" : "there is no xdg-open", by_hand));
+        return;
+    }
+    // Nobody waits for it: an opener may be the browser itself, and live longer than this program.
+    const ChildProcess detached({.program = *opener,
+                                 .arguments = {files::absolute(page).string()},
+                                 .directory = ".",
+                                 .output = "/dev/null",
+                                 .own_group = true,
+                                 .at_our_end = 0});
+}
+
+/// The directory that is meant by a path: that of judge.json, for the file itself.
+fs::path directory_of(const std::string& path) {
+    const fs::path whole = path;
+    const bool is_result =
+        is_comparison_result(whole.filename().string()) && input_is_there(whole) && !input_is_directory(whole);
+    return !is_result ? whole : whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+}
+
+class ReportCommand : public Command {
+  public:
+    ReportCommand()
+        : Command("report", Part::results,
+                  "write one HTML page about a run, a sweep, a reproduced table or a comparison, or about several") {}
+
+    void add_options(CLI::App& command) override {
+        command
+            .add_option("directory", options_.directories,
+                        "directory of a run, a sweep, a reproduced table, a comparison")
+            ->required()
+            ->type_name("RUN");
+        command
+            .add_option("--out", options_.out,
+                        "file to write, RUN/report.html by default; for several report.html in the working directory")
+            ->type_name("FILE");
+        command.add_flag("--force", options_.force, "replace a file that is no page of ljmd");
+        CLI::Option* opened = command.add_flag("--open", options_.open, "open the page in a browser");
+        command.add_flag("--json", options_.json, "print the data of the page as JSON, and write no page")
+            ->excludes(opened);
+    }
+
+    void run() override {
+        std::vector<fs::path> directories;
+        directories.reserve(options_.directories.size());
+        std::ranges::transform(options_.directories, std::back_inserter(directories), directory_of);
+        if (options_.json) {
+            print_result(to_json_line(page_data(report_on(directories))) + "\n");
+            return;
+        }
+        const fs::path page = !options_.out.empty()    ? fs::path(options_.out)
+                              : directories.size() > 1 ? fs::path(report_name)
+                                                       : directories.front() / report_name;
+        for (const std::string& warning : write_report(directories, page, options_.force)) {
+            warn(warning);
+        }
+        print_result(fmt::format("{}\n", page.string()));
+        if (options_.open) {
+            open_page(page);
+        }
+    }
+
+  private:
+    ReportOptions options_;
+};
+
+}  // namespace
+
+std::shared_ptr<Command> report_command() {
+    return std::make_shared<ReportCommand>();
+}
+
+}  // namespace ljmd
