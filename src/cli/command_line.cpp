@@ -48,7 +48,7 @@ class ScreenFormatter : public CLI::Formatter {
 /// The word for the values of an option, without what CLI11 adds about their range.
 std::string value_word(const CLI::Option& option) {
     std::string word = option.get_items_expected_max() == 0 ? "" : option.get_type_name();
-    for (const char* addition : {":INT in [", ":{"}) {
+    for (const char* addition : {":INT in [", ":{", ":POSITIVE"}) {
         word.resize(std::min(word.find(addition), word.size()));
     }
     return word;

@@ -120,13 +120,19 @@ def man_page_for_mandoc(t):
     t.equal([line for line in linted.out.splitlines() if "missing date" not in line], [], "warnings of mandoc")
 
 
+def with_program(t):
+    """The environment in which a shell finds `ljmd`."""
+    environment = clean_environment()
+    return {**environment, "PATH": f"{Path(t.ljmd).parent}:{environment['PATH']}"}
+
+
 class Shell:
     """An interactive shell on a pseudo-terminal, in which `ljmd` prints its arguments."""
 
     def __init__(self, t, command, setup):
         self.ours, theirs = pty.openpty()
         self.shell = subprocess.Popen(command, cwd=t.dir, stdin=theirs, stdout=theirs, stderr=theirs, start_new_session=True,
-                                      env={**clean_environment(), "TERM": "dumb", "HOME": str(t.dir), "PS1": "", "HISTFILE": ""})
+                                      env={**with_program(t), "TERM": "dumb", "HOME": str(t.dir), "PS1": "", "HISTFILE": ""})
         os.close(theirs)
         self.count = 0
         self.completed(setup + "\n: ")
@@ -215,7 +221,7 @@ def fish_completes(t):
             ("ljmd analyze runs struc", ["structure_factor"]), ("ljmd resume ru", ["runs/"]), ("ljmd help reprod", ["reproduce"]),
             ("ljmd run m", ["my deck.toml"])):
         result = t.expect(0, t.command([fish, "--no-config", "-c", f"source _ljmd.fish; complete -C {line!r}"],
-                                       env={**clean_environment(), "HOME": str(t.dir)}))
+                                       env={**with_program(t), "HOME": str(t.dir)}))
         t.equal((result.err, [found.split("\t")[0] for found in result.out.splitlines()]), ("", expected), repr(line))
 
 

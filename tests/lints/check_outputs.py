@@ -52,9 +52,9 @@ ALLOWED = {
     "src/study/row_run.cpp": STUDY,
     "src/study/run_lines.cpp": STUDY,
     "src/study/sweep_record.cpp": STUDY,
-    "src/cli/reproduce_command.cpp": STUDY,
-    "src/cli/sweep_command.cpp": STUDY,
-    "src/cli/studies/reference_command.cpp": STUDY,
+    "src/cli/commands/reproduce_command.cpp": STUDY,
+    "src/cli/commands/sweep_command.cpp": STUDY,
+    "src/cli/commands/reference_command.cpp": STUDY,
 }
 
 # (file of Python, function) -> why it may write beside the door

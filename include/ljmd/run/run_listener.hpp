@@ -11,6 +11,7 @@ namespace ljmd {
 /// Receives the events of a run. The default ignores them.
 class RunListener {
   public:
+    RunListener() = default;
     virtual ~RunListener() = default;
     virtual void stage_begins(const Stage&) {}
     virtual void step_done(Index /*step*/) {}
@@ -26,7 +27,6 @@ class RunListener {
     virtual void doubted(const std::string& text) { warning(text); }
 
   protected:
-    RunListener() = default;
     RunListener(const RunListener&) = default;
     RunListener& operator=(const RunListener&) = default;
 };

@@ -9,8 +9,7 @@
 #include "ljmd/cli/deck_options.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
-#include "ljmd/cli/studies/replica_study.hpp"
-#include "ljmd/cli/studies/study_steps.hpp"
+#include "ljmd/cli/studies/reference_phase.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
@@ -79,64 +78,6 @@ std::vector<WantedError> wanted_errors(const std::vector<std::string>& asked) {
     }
     return wanted;
 }
-
-/// Replicas of one deck in a folder of their own, which can be made longer.
-class ReferencePhase {
-  public:
-    /// @param first  steps of the sampled stage in the deck
-    ReferencePhase(std::string name, const fs::path& out, const std::string& deck, Index first, Index replicas,
-                   const ReferenceOptions& options)
-        : name_(std::move(name)), first_(first), options_(options), lock_(made(out / name_)) {
-        Diagnostics diagnostics;
-        deck_ = load_deck_text(name_ + ".toml", deck, {}, false, diagnostics);
-        diagnostics.throw_if_errors();
-        plan_ = replica_plan(*deck_, {}, replicas);
-        const fs::path folder = out / name_;
-        if (const auto recorded = recorded_sweep(folder);
-            recorded && recorded->deck == plan_.deck && recorded->points == plan_.points) {
-            plan_.steps_added = recorded->steps_added;
-        }
-        prepare_sweep(plan_, lock_.directory(), options.force, wait_for_writing_runs);
-    }
-
-    /// Run until all replicas have their lengths.
-    void complete() {
-        if (!options_.quiet) {
-            print_message(fmt::format("{}: {} runs of {} steps\n", name_, plan_.replicas, steps()));
-        }
-        static_cast<void>(complete_replicas(plan_, lock_.directory(), *deck_, options_.jobs, true));
-    }
-
-    /// Give all replicas so many steps in their sampled stages.
-    void lengthen(Index steps) {
-        plan_.steps_added = steps - first_;
-        record_sweep(plan_, lock_.directory());
-        complete();
-    }
-
-    [[nodiscard]] Index steps() const { return first_ + plan_.steps_added; }
-
-    [[nodiscard]] ReplicaFolder folder() const {
-        ReplicaFolder found{lock_.directory().path(), {}};
-        for (const ChildRun& run : sweep_runs(plan_, found.merged)) {
-            found.runs.push_back(run.directory);
-        }
-        return found;
-    }
-
-  private:
-    static const fs::path& made(const fs::path& folder) {
-        make_directory(folder);
-        return folder;
-    }
-
-    std::string name_;
-    Index first_;
-    const ReferenceOptions& options_;
-    DirectoryLock lock_;
-    std::optional<Deck> deck_;
-    SweepPlan plan_;
-};
 
 /// Wait for errors that more steps can reach, and say how far they are.
 /// @param values  of the folder of the phase
@@ -347,7 +288,8 @@ class ReferenceCommand : public Command {
         }
 
         write_file_atomically(lock.directory() / reference_file, to_json(request_data(request)) + "\n");
-        ReferencePhase pilot("pilot", out, pilot_deck(setup), pilot_steps, request.replicas, options_);
+        const ReplicaOptions how{options_.jobs, options_.force, options_.quiet};
+        ReferencePhase pilot("pilot", out, pilot_deck(setup), pilot_steps, request.replicas, how);
         ReferenceFindings findings{.equilibration = 0,
                                    .pilot = run_pilot(pilot, setup),
                                    .canonical = {},
@@ -358,7 +300,7 @@ class ReferenceCommand : public Command {
         findings.equilibration = equilibration_steps(findings.pilot);
 
         ReferencePhase canonical("canonical", out, canonical_deck(setup, findings.equilibration),
-                                 first_steps(setup, false), request.replicas, options_);
+                                 first_steps(setup, false), request.replicas, how);
         findings.values = reach_errors(
             canonical, setup, [&](const ReplicaFolder& folder) { return canonical_values(setup, folder); },
             options_.quiet);
@@ -371,7 +313,7 @@ class ReferenceCommand : public Command {
         if (request.needs(MeasuredBy::transport)) {
             const double energy = found_total_energy(setup, canonical.folder());
             ReferencePhase transport("transport", out, transport_deck(setup, findings.equilibration, energy),
-                                     first_steps(setup, true), request.replicas, options_);
+                                     first_steps(setup, true), request.replicas, how);
             const std::vector<ReferenceValue> values = reach_errors(
                 transport, setup, [&](const ReplicaFolder& folder) { return transport_values(setup, folder); },
                 options_.quiet);

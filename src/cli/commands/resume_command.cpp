@@ -23,8 +23,6 @@ namespace ljmd {
 
 namespace {
 
-class Silent : public RunListener {};
-
 class ResumeCommand : public Command {
   public:
     ResumeCommand() : Command("resume", Part::runs, "resume a run that was stopped, from its last checkpoint") {}
@@ -100,7 +98,7 @@ class ResumeCommand : public Command {
         require_shareable(ranks, *run);
         const CheckpointHead from = run->checkpoint();
         AnySystem system = empty_system(run->deck(), from.atoms, from.edges, run->execution());
-        Silent silent;
+        RunListener silent;
         run_deck(run->deck(), system, silent, {.continuation = run->take()});
     }
 

@@ -26,8 +26,6 @@ namespace ljmd {
 
 namespace {
 
-class Silent : public RunListener {};
-
 struct ReadDeck {
     Deck deck;
     CheckedRun run;
@@ -99,7 +97,7 @@ class RunCommand : public Command {
         std::optional<ReadDeck> read;
         prepare_together(ranks, [&] { read = read_deck(ranks); });
         require_shareable(ranks, read->deck, read->run);
-        Silent silent;
+        RunListener silent;
         AnySystem system = make_system(read->deck, std::move(read->run.start), read->run.execution, [](const auto&) {});
         run_deck(read->deck, system, silent);
     }

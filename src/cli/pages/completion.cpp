@@ -188,6 +188,7 @@ complete -F _ljmd ljmd
 constexpr std::string_view fish_script = R"fish(# Completion of ljmd for fish, printed by `ljmd completion fish`.
 function __ljmd_words
     set -l words (commandline -opc) (commandline -ct)
+    command -q ljmd; or return
     for line in (command ljmd complete -- $words[2..] 2>/dev/null)
         switch $line
             case ':decks*'

@@ -62,7 +62,7 @@ TEST_CASE("eos warns of doubtful numbers, and only of these") {
 }
 
 TEST_CASE("eos refuses what is no temperature, no density, no equation") {
-    for (const char* wrong : {"0", "-1", "inf", "nan", "hot", "1:2", "1:2:1", "1|1", "1|", "0:1:3"}) {
+    for (const char* wrong : {"0", "-1", "inf", "nan", "1:2", "1:2:1", "1|1", "1|", "0:1:3"}) {
         INFO(wrong);
         const std::string word = wrong;
         CHECK_THROWS_AS(command({"eos", "--temperature=" + word}), InputError);
@@ -72,7 +72,9 @@ TEST_CASE("eos refuses what is no temperature, no density, no equation") {
     for (const char* wrong : {"-0.1", "inf", "nan"}) {
         CHECK_THROWS_AS(command({"eos", "--temperature", "1.0", std::string("--density=") + wrong}), InputError);
     }
-    CHECK_THROWS_AS(command({"eos", "--temperature", "120 K"}), CLI::ValidationError);
+    for (const char* wrong : {"hot", "120 K"}) {
+        CHECK_THROWS_AS(command({"eos", "--temperature", wrong}), CLI::ValidationError);
+    }
     CHECK_THROWS_AS(command({"eos", "--temperature", "1.0", "--density", "0.5", "--pressure", "0.1"}), InputError);
     CHECK_THROWS_AS(command({"eos", "--temperature", "1.0", "--csv", "--json"}), InputError);
     CHECK_THROWS_AS(command({"eos", "--density", "0.5"}), InputError);

@@ -20,7 +20,7 @@ TEST_CASE("a reference that is refused touches nothing") {
     };
     CHECK_THROWS_WITH(reference("0.3"), Contains("separates into vapour and liquid"));
     CHECK_THROWS_WITH(reference("0.8", {"--properties", "entropy"}), Contains("unknown property 'entropy'"));
-    for (const char* wrong : {"energy", "energy=", "=0.1", "energy=small", ""}) {
+    for (const char* wrong : {"energy", "energy=", "=0.1", "energy=small"}) {
         INFO(wrong);
         CHECK_THROWS_AS(reference("0.8", {std::string("--error=") + wrong}), InputError);
     }
