@@ -6,7 +6,7 @@ foreach(page "ljmd.1,help,--man" "bash/ljmd,completion,bash" "fish/ljmd.fish,com
     list(POP_FRONT words file)
     list(APPEND ljmd_page_files ${ljmd_pages}/${file})
     add_custom_command(OUTPUT ${ljmd_pages}/${file}
-                       COMMAND ${CMAKE_COMMAND} -D "program=$<TARGET_FILE:ljmd>" -D "words=${words}"
+                       COMMAND ${CMAKE_COMMAND} -D "program=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:ljmd>" -D "words=${words}"
                                -D "file=${ljmd_pages}/${file}" -P ${PROJECT_SOURCE_DIR}/cmake/WritePage.cmake
                        DEPENDS ljmd cmake/WritePage.cmake VERBATIM)
 endforeach()

@@ -2,10 +2,12 @@
 # LJMD_SIMD_LEVEL set to the level's name as an identifier. ljmd_simd_objects holds the objects of all levels;
 # ljmd/execution/simd_levels.hpp lists the levels.
 #
-# portable is compiled with the flags of everything else, and is the only level where the processor is no x86-64.
+# portable is compiled with the flags of everything else. On ARM64 so is neon: all of these processors have it.
 set(ljmd_simd_levels portable)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     list(APPEND ljmd_simd_levels x86_64_v2 x86_64_v3 x86_64_v4 x86_64_v4_256 x86_64_v4_intel)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+    list(APPEND ljmd_simd_levels neon)
 endif()
 
 file(GLOB ljmd_simd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/simd/*.cpp)
@@ -20,7 +22,7 @@ foreach(level IN LISTS ljmd_simd_levels)
         set(bits 256)
     endif()
     target_compile_options(ljmd_simd_${level} PRIVATE
-        $<$<NOT:$<STREQUAL:${level},portable>>:-march=${architecture}>
+        $<$<NOT:$<IN_LIST:${level},portable$<SEMICOLON>neon>>:-march=${architecture}>
         $<$<STREQUAL:${architecture},x86-64-v4>:-mprefer-vector-width=${bits}>
         $<$<NOT:$<CONFIG:Debug>>:-O3>
         # All functions with vectors as arguments are inlined: how they would be passed is of no account.
@@ -31,6 +33,7 @@ foreach(level IN LISTS ljmd_simd_levels)
         $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_compile_definitions(ljmd_simd_${level} PRIVATE LJMD_SIMD_LEVEL=${level}
+        $<$<STREQUAL:${level},neon>:LJMD_SIMD_NEON>
         $<$<STREQUAL:${level},x86_64_v4_256>:LJMD_SIMD_256>
         $<$<STREQUAL:${level},x86_64_v4_intel>:LJMD_SIMD_FOR_INTEL>)
     target_include_directories(ljmd_simd_${level} PRIVATE ${PROJECT_SOURCE_DIR}/include

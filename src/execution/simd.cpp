@@ -14,7 +14,8 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-256", "x86-64-v4-intel"};
+constexpr std::array level_names{"portable",      "x86-64-v2",       "x86-64-v3", "x86-64-v4",
+                                 "x86-64-v4-256", "x86-64-v4-intel", "neon"};
 
 #if defined(__x86_64__)
 bool processor_has(SimdLevel level) {
@@ -35,23 +36,28 @@ bool processor_has(SimdLevel level) {
             return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                    __builtin_cpu_supports("avx512vl");
+        case SimdLevel::neon:
+            return false;
     }
     return false;
 }
 
-/// The level of AVX-512 that is made for this processor, of those that have the same bits as all others.
-SimdLevel best_of_v4() {
+/// With AVX-512 the level that is made for this processor, of those that have the same bits as all others.
+SimdLevel best_of(SimdLevel highest) {
+    if (highest < SimdLevel::x86_64_v4) {
+        return highest;
+    }
     __builtin_cpu_init();
     // Zen 4: the processors of this family with AVX-512
     return __builtin_cpu_is("amdfam19h") != 0 ? SimdLevel::x86_64_v4_256 : SimdLevel::x86_64_v4;
 }
 #else
 bool processor_has(SimdLevel level) {
-    return level == SimdLevel::portable;
+    return level == SimdLevel::portable || level == SimdLevel::neon;
 }
 
-SimdLevel best_of_v4() {
-    return SimdLevel::x86_64_v4;
+SimdLevel best_of(SimdLevel highest) {
+    return highest;
 }
 #endif
 
@@ -102,8 +108,7 @@ SimdLevel usable_simd_level(const std::string& wanted) {
 }
 
 SimdLevel best_simd_level() {
-    const SimdLevel highest = usable_simd_levels().back();
-    return highest < SimdLevel::x86_64_v4 ? highest : best_of_v4();
+    return best_of(usable_simd_levels().back());
 }
 
 std::optional<SimdLevel> asked_simd_level(const std::string& named) {

@@ -60,7 +60,7 @@ TEST_CASE("a number of threads that makes no sense is refused, with what is poss
 TEST_CASE("a SIMD level that this processor cannot run is refused, with those that it can") {
     const std::vector<SimdLevel> usable = usable_simd_levels();
     for (const SimdLevel level : {SimdLevel::portable, SimdLevel::x86_64_v2, SimdLevel::x86_64_v3, SimdLevel::x86_64_v4,
-                                  SimdLevel::x86_64_v4_256, SimdLevel::x86_64_v4_intel}) {
+                                  SimdLevel::x86_64_v4_256, SimdLevel::x86_64_v4_intel, SimdLevel::neon}) {
         CAPTURE(name(level));
         if (std::ranges::find(usable, level) != usable.end()) {
             CHECK(Execution({.simd = level}).simd() == level);

@@ -37,7 +37,7 @@ TEST_CASE("the default SIMD level is the highest usable one made for this proces
         const test::EnvironmentGuard nothing("LJMD_SIMD", "");
         const SimdLevel best = default_simd_level();
         const SimdLevel highest = usable_simd_levels().back();
-        if (highest < SimdLevel::x86_64_v4) {
+        if (highest < SimdLevel::x86_64_v4 || highest == SimdLevel::neon) {
             CHECK(best == highest);
         } else {
 #if defined(__x86_64__)
@@ -57,6 +57,11 @@ TEST_CASE("the default SIMD level is the highest usable one made for this proces
 TEST_CASE("a run is continued at its level, or at the highest with the same digits") {
     using enum SimdLevel;
     const std::vector<SimdLevel> old_processor{portable, x86_64_v2, x86_64_v3};
+    const std::vector<SimdLevel> arm{portable, neon};
+    CHECK(level_with_digits_of("x86-64-v4", Precision::double_precision, arm) == neon);
+    CHECK(level_with_digits_of("x86-64-v3", Precision::mixed, arm) == neon);
+    CHECK(level_with_digits_of("x86-64-v2", Precision::mixed, arm) == portable);
+    CHECK(level_with_digits_of("neon", Precision::mixed, old_processor) == x86_64_v3);
     constexpr Precision full = Precision::double_precision;
     CHECK(level_with_digits_of("x86-64-v2", full, old_processor) == x86_64_v2);
     CHECK(level_with_digits_of("x86-64-v4", full, old_processor) == x86_64_v3);

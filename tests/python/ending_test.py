@@ -33,7 +33,7 @@ RUNS = {"observables": "deck.run(observables=[ljmd.observable(tell, every=1, nam
         "progress": "deck.run(progress=tell)",
         "external": "deck.run(external=force, progress=False)",
         "evaluations": "evaluate()",
-        "steps": "[begun.set() or sim.step(10) for sim in [ljmd.Simulation(deck)] for _ in range(10**8)]"}
+        "steps": "[begun.set() or sim.advance(10) for sim in [ljmd.Simulation(deck)] for _ in range(10**8)]"}
 
 
 def python(text):
@@ -52,7 +52,7 @@ class Ending(unittest.TestCase):
     begun.wait()
     print("here")
 """)
-                    self.assertEqual((done.returncode, done.stdout), (0, "here\n"), done.stderr)
+                    self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "here\n", ""))
 
     def test_another_interpreter_is_refused(self):
         try:

@@ -10,7 +10,7 @@ namespace ljmd {
 /// 2^-126 = 1.2e-38 in single precision, 2^-1022 in double) as zero, as operands and as results.
 ///
 /// On Intel's processors each instruction that meets a subnormal number takes some 150 cycles, and sums over vectors of
-/// pairs meet many: r^-12 of pairs far out of range. Without effect on processors other than x86-64.
+/// pairs meet many: r^-12 of pairs far out of range. Without effect on processors other than x86-64 and ARM64.
 class FlushSubnormals {
   public:
     FlushSubnormals(const FlushSubnormals&) = delete;
@@ -27,6 +27,26 @@ class FlushSubnormals {
   private:
     static constexpr unsigned denormals_are_zero = 0x0040;
     unsigned before_;  ///< control and status register; exception flags set in between are dropped
+#elif defined(__aarch64__)
+    FlushSubnormals() : before_(control()) {
+        set_control(before_ | flush_to_zero);
+    }
+    ~FlushSubnormals() {
+        set_control(before_);
+    }
+
+  private:
+    static constexpr unsigned long flush_to_zero = 1UL << 24U;
+    static unsigned long control() {
+        unsigned long value = 0;
+        __asm__ volatile("mrs %0, fpcr" : "=r"(value));
+        return value;
+    }
+    static void set_control(unsigned long value) {
+        __asm__ volatile("msr fpcr, %0" : : "r"(value));
+    }
+
+    unsigned long before_;  ///< floating-point control register
 #else
     FlushSubnormals() {}
     ~FlushSubnormals() {}

@@ -10,12 +10,12 @@ namespace ljmd {
 /// Instruction sets that the kernels (pair sum, list building) are compiled for. The levels of x86-64 are those of its
 /// psABI: v2 has SSE4.2, v3 AVX2 and FMA, v4 AVX-512. v4_256 is AVX-512 with vectors of 256 bits, for processors whose
 /// units have half the width of its registers, as AMD's Zen 4. v4_intel is AVX-512 arranged for processors whose
-/// divisions are slow and whose multipliers also add, as Intel's do. `portable` is the same code compiled for the
-/// processor that the rest of the program is compiled for.
+/// divisions are slow and whose multipliers also add, as Intel's do. `neon` is that of ARM64. `portable` is the same
+/// code compiled for the processor that the rest of the program is compiled for.
 ///
 /// In double precision all but v4_intel have the same digits: they add in one order, and fuse no product with a sum.
 /// See digits_rule() and docs/digits.md.
-enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256, x86_64_v4_intel };
+enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256, x86_64_v4_intel, neon };
 
 /// "portable", "x86-64-v2", ...
 [[nodiscard]] std::string_view name(SimdLevel level);
@@ -57,7 +57,7 @@ enum class Precision {
 /// Whether the level adds in the order of all others but v4_intel.
 [[nodiscard]] bool has_common_digits(SimdLevel level);
 
-/// Whether products in single precision are fused with sums: v2 and `portable` may lack the instruction.
+/// Whether products in single precision are fused with sums: v2 and `portable` are without the instruction.
 [[nodiscard]] bool fuses_single_precision(SimdLevel level);
 
 /// By which rule the digits of a trajectory are made: "common-1", for example. Runs of one version by the same rule

@@ -27,6 +27,8 @@ void each_repeated(None);
 
 #if defined(__x86_64__)
 #include "ljmd/execution/simd_x86.hpp"
+#elif defined(LJMD_SIMD_NEON)
+#include "ljmd/execution/simd_neon.hpp"
 #endif
 
 /// Operations that the compilers' vector extension lacks: one instruction where the processor has it, else portable

@@ -26,7 +26,7 @@ inline constexpr int register_bytes = widest_register_bytes;
 #endif
 
 /// Whether there are 32 vector registers and not 16.
-#if defined(__AVX512VL__)
+#if defined(__AVX512VL__) || defined(__aarch64__)
 inline constexpr bool many_registers = true;
 #else
 inline constexpr bool many_registers = false;
