@@ -2,6 +2,7 @@
 
 #include "ljmd/observables/pair_curvature.hpp"
 #include "ljmd/observables/squared_forces.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 
@@ -27,7 +28,7 @@ std::vector<ObservableAverage> ConfigurationalTemperature::observables() const {
     if (samples() == 0) {
         return {};
     }
-    ObservableAverage average{"configurational_temperature", "T_conf", "epsilon/k_B", std::nullopt};
+    ObservableAverage average = average_of("configurational_temperature");
     const Eigen::VectorXd mean = means_.mean();
     const Estimate laplacian = means_.estimate(laplacian_column);
     if (!(laplacian.mean > 4.0 * laplacian.standard_error)) {

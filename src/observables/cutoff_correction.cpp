@@ -4,6 +4,7 @@
 
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/neighbors/pairs_within.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
@@ -85,10 +86,9 @@ std::vector<ObservableAverage> CutoffCorrection::observables() const {
         return {};
     }
     const Eigen::VectorXd mean = means_.mean();
-    const auto result = [&](const char* name, const char* symbol, const char* unit, Index a, Index more, Index product,
-                            bool direct) -> ObservableAverage {
+    const auto result = [&](const char* name, Index a, Index more, Index product, bool direct) {
         if (!temperature_) {
-            return {name, symbol, unit, std::nullopt, not_canonical};
+            return average_of(name, std::nullopt, not_canonical);
         }
         const double factor = atoms_ / *temperature_;
         const double total = mean[a] + mean[more];  // <A_R>
@@ -102,13 +102,12 @@ std::vector<ObservableAverage> CutoffCorrection::observables() const {
             value += mean[more];
             gradient[more] += 1.0;
         }
-        return {name, symbol, unit, means_.estimate(value, gradient), radius_ < least_radius ? short_radius : ""};
+        return average_of(name, means_.estimate(value, gradient), radius_ < least_radius ? short_radius : "");
     };
-    return {result("cutoff_energy", "du_c", "epsilon", energy, energy_more, energy_product, true),
-            result("cutoff_pressure", "dp_c", "epsilon/sigma^3", pressure, pressure_more, pressure_product, true),
-            result("cutoff_energy_response", "du_r", "epsilon", energy, energy_more, energy_product, false),
-            result("cutoff_pressure_response", "dp_r", "epsilon/sigma^3", pressure, pressure_more, pressure_product,
-                   false)};
+    return {result("cutoff_energy", energy, energy_more, energy_product, true),
+            result("cutoff_pressure", pressure, pressure_more, pressure_product, true),
+            result("cutoff_energy_response", energy, energy_more, energy_product, false),
+            result("cutoff_pressure_response", pressure, pressure_more, pressure_product, false)};
 }
 
 }  // namespace ljmd

@@ -5,6 +5,7 @@
 
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
@@ -83,7 +84,7 @@ std::vector<ObservableAverage> WidomInsertion::observables() const {
     }
     const Eigen::VectorXd mean = means_.mean();
     const double t = mean[temperature_column];
-    ObservableAverage average{"excess_chemical_potential", "mu_ex", "epsilon", std::nullopt};
+    ObservableAverage average = average_of("excess_chemical_potential");
     if (!is_above_zero(t)) {
         average.remark = no_temperature;
         return {average};

@@ -16,7 +16,7 @@ PageColumn described(const std::string& column) {
         PageColumn of = described(column.substr(0, column.size() - error.size()));
         return {column, fmt::format("error of {}", of.label), of.unit};
     }
-    const SampledQuantity* found = find_quantity(column);
+    const KnownQuantity* found = find_quantity(column);
     return found == nullptr ? PageColumn{column, in_plain_words(column)}
                             : PageColumn{column, std::string(found->symbol), std::string(found->unit)};
 }

@@ -32,8 +32,8 @@ TEST_CASE("Bragg peaks are drawn beside the heights that displacements let expec
     add_analyses(page, {folder / "", {}, {}, {}, "finished", "", {}});
     check_marks(page);
     CHECK(page.warnings.empty());
-    CHECK(chart_called(page, "bragg").y.scale == "log");
-    CHECK(chart_called(page, "bragg").marks[1].error == "debye_waller_factor_standard_error");
+    CHECK(chart_called(page, "bragg-debye_waller_factor").y.scale == "log");
+    CHECK(chart_called(page, "bragg-debye_waller_factor").marks[1].error == "debye_waller_factor_standard_error");
     CHECK(table_called(page, "bragg").rows == 1);
 }
 

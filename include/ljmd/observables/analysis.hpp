@@ -11,6 +11,7 @@
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/ensemble.hpp"
+#include "ljmd/observables/statistics/known_quantity.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/options/choice.hpp"
 #include "ljmd/potentials/interaction.hpp"
@@ -109,6 +110,21 @@ class AnalysisOptions {
     AnalysisOptions& operator=(const AnalysisOptions&) = default;
 };
 
+/// How a table of an analysis is drawn.
+struct AnalysisChart {
+    const char* file;  ///< one of AnalysisMethod::files
+    const char* x;     ///< its columns; errors are those of y + "_standard_error"
+    const char* y;
+    const char* title;
+    const char* caption = "";          ///< empty: says what the band of errors is
+    bool lead = false;                 ///< it is shown first
+    std::optional<double> level = {};  ///< to compare with
+    const char* level_label = "";
+    const char* expected = "";  ///< column of what y is expected to be, drawn as a line below dots; none
+    const char* expected_label = "";
+    bool logarithmic = false;  ///< the axis of y
+};
+
 /// An analysis, as [analysis] selects it. Each is one file in src/observables/analyses.
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
@@ -116,7 +132,9 @@ struct AnalysisMethod {
     std::vector<std::string> files;  ///< names of its tables
     bool follows_time = false;       ///< compares configurations at different times
     AnalysisNeeds needs = {};
-    bool is_random = false;                                     ///< it draws random numbers
+    bool is_random = false;                      ///< it draws random numbers
+    std::vector<KnownQuantity> quantities = {};  ///< columns of its tables and results, but for those of samples
+    std::vector<AnalysisChart> charts = {};
     std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };
 

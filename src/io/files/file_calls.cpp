@@ -14,6 +14,12 @@ FileError file_error(const char* doing, const std::filesystem::path& path, int e
 }
 
 int sync_descriptor(int descriptor) {
+#if defined(F_FULLFSYNC)
+    // On macOS fsync() leaves data in the cache of the drive.
+    if (::fcntl(descriptor, F_FULLFSYNC) == 0) {
+        return 0;
+    }
+#endif
     while (::fsync(descriptor) != 0) {
         if (errno == EINVAL || errno == EROFS || errno == ENOTSUP) {
             return 0;

@@ -16,6 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#if !defined(O_PATH)
+#define O_PATH O_SEARCH  // NOLINT(cppcoreguidelines-macro-usage): of POSIX, where it is not Linux
+#endif
+
 /// A directory that may be written to but not read can be used, but not locked or synchronised by itself.
 /// @return its descriptor; negative: see errno
 int open_directory(int where, const char* name, int flags) {

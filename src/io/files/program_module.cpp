@@ -5,13 +5,36 @@
 
 #include <utility>
 
+#if defined(__APPLE__)
+#include <mach-o/dyld.h>
+
+#include <array>
+#elif defined(__linux__)
+#include <sys/auxv.h>
+#endif
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
 
 namespace ljmd {
 
 std::filesystem::path this_program() {
-    return files::read_link("/proc/self/exe");
+#if defined(__APPLE__)
+    std::array<char, 4096> name{};
+    auto size = static_cast<std::uint32_t>(name.size());
+    if (::_NSGetExecutablePath(name.data(), &size) == 0) {
+        return files::canonical(name.data());
+    }
+#elif defined(__linux__)
+    if (files::exists("/proc/self/exe")) {
+        return files::read_link("/proc/self/exe");
+    }
+    // No /proc: what the kernel was told to start, as seen from the directory of the first call.
+    static const std::filesystem::path started =
+        files::canonical(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)));  // NOLINT(performance-no-int-to-ptr)
+    return started;
+#endif
+    throw FileError("it is not known where this program is");
 }
 
 ProgramModule::ProgramModule(std::string library, std::string packages, const std::filesystem::path& file)

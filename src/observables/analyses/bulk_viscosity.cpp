@@ -52,6 +52,12 @@ AnalysisMethod bulk_viscosity() {
                       .continuous_potential = true,
                       .constant_energy = true,
                       .homogeneous = true},
+            .quantities = {{"bulk_viscosity", "eta_v", "epsilon tau/sigma^3"},
+                           {"pressure_autocorrelation", "<dp(0) dp(t)>", "epsilon^2/sigma^6"}},
+            .charts = {{.file = "pressure_autocorrelation",
+                        .x = "time",
+                        .y = "bulk_viscosity",
+                        .title = "Bulk viscosity up to this time"}},
             .options = [] { return std::make_unique<BulkViscosityOptions>(); }};
 }
 

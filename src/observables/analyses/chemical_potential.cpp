@@ -39,6 +39,7 @@ AnalysisMethod chemical_potential() {
             .follows_time = false,
             .needs = {.velocities = true, .interaction = true},
             .is_random = true,
+            .quantities = {{"excess_chemical_potential", "mu_ex", "epsilon"}},
             .options = [] { return std::make_unique<ChemicalPotentialOptions>(); }};
 }
 

@@ -29,6 +29,7 @@ AnalysisMethod configurational_temperature() {
             .files = {},
             .follows_time = false,
             .needs = {.interaction = true, .fixed_box = false, .shortest_box = false},
+            .quantities = {{"configurational_temperature", "T_conf", "epsilon/k_B"}},
             .options = [] { return std::make_unique<ConfigurationalTemperatureOptions>(); }};
 }
 

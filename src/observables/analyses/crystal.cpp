@@ -72,6 +72,26 @@ AnalysisMethod crystal() {
             .files = {"bragg"},
             .follows_time = false,
             .needs = {.fixed_box = false, .shortest_box = false},
+            .quantities = {{"site_displacement", "<u^2>", "sigma^2"},
+                           {"site_displacement_debye_waller", "<u^2>_DW", "sigma^2"},
+                           {"lindemann_ratio", "<u^2>^(1/2)/d", ""},
+                           {"vacant_sites", "vacant", ""},
+                           {"debye_waller_factor", "exp(-2 W)", ""},
+                           {"debye_waller_gaussian", "exp(-k^2 <u^2>/3)", ""},
+                           {"bragg_peak", "S(k_1)/N", ""},
+                           {"vectors", "vectors", ""},
+                           {"k", "k sigma", ""},
+                           {"S", "S(k)", ""}},
+            .charts = {{.file = "bragg",
+                        .x = "k",
+                        .y = "debye_waller_factor",
+                        .title = "Bragg peaks",
+                        .caption = "Height S(k)/N of the peaks, 1 in a crystal at rest. The line is exp(-k^2 <u^2>/3) "
+                                   "of the measured displacements; on this scale it is nearly straight in k^2.",
+                        .lead = true,
+                        .expected = "debye_waller_gaussian",
+                        .expected_label = "from displacements",
+                        .logarithmic = true}},
             .options = [] { return std::make_unique<CrystalOptions>(); }};
 }
 

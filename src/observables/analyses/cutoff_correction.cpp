@@ -60,6 +60,10 @@ AnalysisMethod cutoff_correction() {
             .files = {},
             .follows_time = false,
             .needs = {.interaction = true, .homogeneous = true},
+            .quantities = {{"cutoff_energy", "du_c", "epsilon"},
+                           {"cutoff_pressure", "dp_c", "epsilon/sigma^3"},
+                           {"cutoff_energy_response", "du_r", "epsilon"},
+                           {"cutoff_pressure_response", "dp_r", "epsilon/sigma^3"}},
             .options = [] { return std::make_unique<CutoffCorrectionOptions>(); }};
 }
 

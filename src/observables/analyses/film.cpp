@@ -59,6 +59,12 @@ AnalysisMethod film() {
             .files = {"film"},
             .follows_time = false,
             .needs = {.velocities = true, .interaction = true},
+            .quantities = {{"surface_tension", "gamma", "epsilon/sigma^2"},
+                           {"normal_pressure", "p_N", "epsilon/sigma^3"},
+                           {"tangential_pressure", "p_T", "epsilon/sigma^3"},
+                           {"liquid_density", "rho_l", "sigma^-3"},
+                           {"vapour_density", "rho_v", "sigma^-3"},
+                           {"z", "z", "sigma"}},
             .options = [] { return std::make_unique<FilmOptions>(); }};
 }
 

@@ -73,6 +73,10 @@ AnalysisMethod msd() {
             .files = {"msd"},
             .follows_time = true,
             .needs = {.unwrapped_positions = true},
+            .quantities = {{"msd", "<dr^2>", "sigma^2"},
+                           {"diffusion", "D", "sigma^2/tau"},
+                           {"diffusion_infinite_system", "D_inf", "sigma^2/tau"}},
+            .charts = {{.file = "msd", .x = "time", .y = "msd", .title = "Mean-square displacement"}},
             .options = [] { return std::make_unique<MsdOptions>(); }};
 }
 

@@ -70,6 +70,19 @@ AnalysisMethod rdf() {
             .files = {"rdf", "sk_from_rdf"},
             .follows_time = false,
             .needs = {.fixed_box = false},
+            .quantities = {{"r", "r", "sigma"},
+                           {"g", "g(r)", ""},
+                           {"coordination_number", "n_c", ""},
+                           {"k", "k sigma", ""},
+                           {"S", "S(k)", ""}},
+            .charts = {{.file = "rdf",
+                        .x = "r",
+                        .y = "g",
+                        .title = "Radial distribution function",
+                        .lead = true,
+                        .level = 1.0,
+                        .level_label = "no order"},
+                       {.file = "sk_from_rdf", .x = "k", .y = "S", .title = "Structure factor from g(r)"}},
             .options = [] { return std::make_unique<RdfOptions>(); }};
 }
 

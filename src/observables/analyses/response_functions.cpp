@@ -35,6 +35,13 @@ AnalysisMethod response_functions() {
                       .fixed_box = false,
                       .homogeneous = true,
                       .shortest_box = false},
+            .quantities = {{"heat_capacity_cp", "c_p", "k_B"},
+                           {"isothermal_compressibility", "kappa_T", "sigma^3/epsilon"},
+                           {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon"},
+                           {"thermal_expansion", "alpha_p", "k_B/epsilon"},
+                           {"thermal_pressure_coefficient", "gamma_V", "k_B/sigma^3"},
+                           {"speed_of_sound", "w", "sigma/tau"},
+                           {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B"}},
             .options = [] { return std::make_unique<ResponseFunctionsOptions>(); }};
 }
 

@@ -80,6 +80,8 @@ AnalysisMethod structure_factor() {
             .meaning = "structure factor S(k), written to sk.csv",
             .files = {"sk"},
             .follows_time = false,
+            .quantities = {{"k", "k sigma", ""}, {"S", "S(k)", ""}},
+            .charts = {{.file = "sk", .x = "k", .y = "S", .title = "Structure factor"}},
             .options = [] { return std::make_unique<StructureFactorOptions>(); }};
 }
 

@@ -40,6 +40,12 @@ AnalysisMethod thermal_conductivity() {
             .files = {"heat_flux_autocorrelation"},
             .follows_time = true,
             .needs = {.velocities = true, .interaction = true, .continuous_potential = true, .homogeneous = true},
+            .quantities = {{"thermal_conductivity", "lambda", "k_B/(sigma tau)"},
+                           {"heat_flux_autocorrelation", "<J(0) J(t)>", "epsilon^2/(sigma^4 tau^2)"}},
+            .charts = {{.file = "heat_flux_autocorrelation",
+                        .x = "time",
+                        .y = "thermal_conductivity",
+                        .title = "Thermal conductivity up to this time"}},
             .options = [] { return std::make_unique<ThermalConductivityOptions>(); }};
 }
 

@@ -37,6 +37,23 @@ AnalysisMethod vacf() {
             .files = {"vacf", "vibrational_spectrum"},
             .follows_time = true,
             .needs = {.velocities = true},
+            .quantities = {{"vacf", "<v(0) v(t)>", "sigma^2/tau^2"},
+                           {"vacf_normalized", "<v(0) v(t)>/<v^2>", ""},
+                           {"diffusion", "D", "sigma^2/tau"},
+                           {"diffusion_green_kubo", "D_GK", "sigma^2/tau"},
+                           {"angular_frequency", "omega tau", ""},
+                           {"spectrum", "spectrum", ""}},
+            .charts = {{.file = "vacf",
+                        .x = "time",
+                        .y = "vacf",
+                        .title = "Velocity autocorrelation",
+                        .level = 0.0,
+                        .level_label = "no correlation"},
+                       {.file = "vacf", .x = "time", .y = "diffusion", .title = "Diffusion up to this time"},
+                       {.file = "vibrational_spectrum",
+                        .x = "angular_frequency",
+                        .y = "spectrum",
+                        .title = "Vibrational spectrum"}},
             .options = [] { return std::make_unique<VacfOptions>(); }};
 }
 

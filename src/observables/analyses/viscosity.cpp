@@ -35,6 +35,12 @@ AnalysisMethod viscosity() {
             .files = {"stress_autocorrelation"},
             .follows_time = true,
             .needs = {.velocities = true, .interaction = true, .homogeneous = true},
+            .quantities = {{"viscosity", "eta", "epsilon tau/sigma^3"},
+                           {"stress_autocorrelation", "<s(0) s(t)>", "epsilon^2/sigma^6"}},
+            .charts = {{.file = "stress_autocorrelation",
+                        .x = "time",
+                        .y = "viscosity",
+                        .title = "Viscosity up to this time"}},
             .options = [] { return std::make_unique<ViscosityOptions>(); }};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ljmd/observables/interface/pressure_profile.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 
@@ -106,10 +107,10 @@ std::vector<ObservableAverage> Film::observables() const {
     if (samples_ == 0) {
         return {};
     }
-    ObservableAverage tension{"surface_tension", "gamma", "epsilon/sigma^2", std::nullopt};
-    ObservableAverage pressure{"normal_pressure", "p_N", "epsilon/sigma^3", std::nullopt};
-    ObservableAverage liquid{"liquid_density", "rho_l", "sigma^-3", std::nullopt, no_film};
-    ObservableAverage vapour{"vapour_density", "rho_v", "sigma^-3", std::nullopt, no_film};
+    ObservableAverage tension = average_of("surface_tension");
+    ObservableAverage pressure = average_of("normal_pressure");
+    ObservableAverage liquid = average_of("liquid_density", std::nullopt, no_film);
+    ObservableAverage vapour = average_of("vapour_density", std::nullopt, no_film);
     if (means_.samples() == 0) {
         for (ObservableAverage* each : {&tension, &pressure, &liquid, &vapour}) {
             each->remark = one_atom;

@@ -9,6 +9,7 @@
 #include "ljmd/observables/response/canonical.hpp"
 #include "ljmd/observables/response/constant_energy.hpp"
 #include "ljmd/observables/response/isothermal_isobaric.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -26,21 +27,19 @@ constexpr const char* too_short = "the run is too short to tell how its energy, 
 /// A response function as results.json has it.
 struct Named {
     const char* name;
-    const char* symbol;
-    const char* unit;
     bool by_bulk_modulus;   ///< divided by it, or by what contains it
     bool by_heat_capacity;  ///< divided by c_v
 };
 
 constexpr std::size_t c_v_place = 3;
-constexpr std::array<Named, 8> named{{{"isothermal_compressibility", "kappa_T", "sigma^3/epsilon", true, false},
-                                      {"thermal_expansion", "alpha_p", "k_B/epsilon", true, false},
-                                      {"thermal_pressure_coefficient", "gamma_V", "k_B/sigma^3", false, false},
-                                      {"heat_capacity_cv", "c_v", "k_B", false, false},
-                                      {"heat_capacity_cp", "c_p", "k_B", true, false},
-                                      {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon", true, true},
-                                      {"speed_of_sound", "w", "sigma/tau", true, true},
-                                      {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B", true, true}}};
+constexpr std::array<Named, 8> named{{{"isothermal_compressibility", true, false},
+                                      {"thermal_expansion", true, false},
+                                      {"thermal_pressure_coefficient", false, false},
+                                      {"heat_capacity_cv", false, false},
+                                      {"heat_capacity_cp", true, false},
+                                      {"adiabatic_compressibility", true, true},
+                                      {"speed_of_sound", true, true},
+                                      {"joule_thomson_coefficient", true, true}}};
 
 /// The values of all that is named, and last the isothermal bulk modulus.
 constexpr std::size_t modulus_place = named.size();
@@ -182,7 +181,7 @@ std::vector<ObservableAverage> ResponseFunctions::observables() const {
             continue;  // RunAverages has it, from more samples
         }
         const Named& each = named.at(place);
-        ObservableAverage average{each.name, each.symbol, each.unit, std::nullopt, remark_on(place)};
+        ObservableAverage average = average_of(each.name, std::nullopt, remark_on(place));
         if (average.remark.empty()) {
             average.estimate = found[place];
         }

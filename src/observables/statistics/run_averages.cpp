@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/sampled_quantities.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "ljmd/observables/statistics/known_quantity.hpp"
 
 namespace ljmd {
 
@@ -177,7 +178,7 @@ std::optional<ObservableAverage> RunAverages::heat_capacity() const {
     if (!at_constant_energy && ensemble_ != Ensemble::canonical) {
         return std::nullopt;
     }
-    ObservableAverage c{"heat_capacity_cv", "c_v", "k_B", std::nullopt};
+    ObservableAverage c = average_of("heat_capacity_cv");
     if (!is_above_zero(series_.mean()[temperature_column])) {
         c.remark = no_temperature;
         return c;
@@ -256,7 +257,7 @@ std::vector<ObservableAverage> RunAverages::averages() const {
         return result;
     }
     for (Index k = 0; k < static_cast<Index>(sampled_quantities.size()); ++k) {
-        const SampledQuantity& column = sampled_quantities[static_cast<std::size_t>(k)];
+        const KnownQuantity& column = sampled_quantities[static_cast<std::size_t>(k)];
         if (k == density_column && !volume_fluctuates(ensemble_)) {
             continue;
         }
@@ -278,7 +279,7 @@ std::vector<ObservableAverage> RunAverages::averages() const {
             result.push_back({"external_energy", "U_ext/N", "epsilon", series_.estimate(external_energy_column)});
         }
         if (k == pressure_column) {
-            ObservableAverage z{"compressibility_factor", "Z", "1", compressibility_factor()};
+            ObservableAverage z = average_of("compressibility_factor", compressibility_factor());
             if (!z.estimate) {
                 z.remark = no_temperature;
             } else if (met_rarely() && encounters_ == 0) {

@@ -1,4 +1,5 @@
 #include "ljmd/observables/structure/coordination_number.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -214,7 +215,7 @@ std::optional<Estimate> CoordinationNumber::estimate() const {
 }
 
 ObservableAverage CoordinationNumber::observable() const {
-    ObservableAverage average{"coordination_number", "n_c", "1", estimate()};
+    ObservableAverage average = average_of("coordination_number", estimate());
     if (!average.estimate) {
         average.remark = "g(r) has no first minimum that stands out of its noise";
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 
@@ -172,10 +173,10 @@ std::vector<ObservableAverage> CrystalOrder::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    ObservableAverage u2{"site_displacement", "<u^2>", "sigma^2", std::nullopt, no_crystal};
-    ObservableAverage by_peak{"site_displacement_debye_waller", "<u^2>_DW", "sigma^2", std::nullopt, no_crystal};
-    ObservableAverage lindemann{"lindemann_ratio", "<u^2>^(1/2)/d", "1", std::nullopt, no_crystal};
-    ObservableAverage vacant{"vacant_sites", "vacant", "1", std::nullopt, no_crystal};
+    ObservableAverage u2 = average_of("site_displacement", std::nullopt, no_crystal);
+    ObservableAverage by_peak = average_of("site_displacement_debye_waller", std::nullopt, no_crystal);
+    ObservableAverage lindemann = average_of("lindemann_ratio", std::nullopt, no_crystal);
+    ObservableAverage vacant = average_of("vacant_sites", std::nullopt, no_crystal);
 
     const Eigen::VectorXd mean = means_.mean();
     const auto with_slope = [&](double value, const std::vector<std::pair<Index, double>>& slopes) {
@@ -207,7 +208,7 @@ std::vector<ObservableAverage> CrystalOrder::observables() const {
                                     100.0 * mean[vacancy]);
         }
     }
-    return {u2, by_peak, lindemann, {"bragg_peak", "S(k_1)/N", "1", peak}, vacant};
+    return {u2, by_peak, lindemann, average_of("bragg_peak", peak), vacant};
 }
 
 }  // namespace ljmd

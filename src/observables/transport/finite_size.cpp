@@ -1,4 +1,5 @@
 #include "ljmd/observables/transport/finite_size.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ std::optional<ObservableAverage> diffusion_in_infinite_system(const std::vector<
     if (found == nullptr || resistance == nullptr || motion == nullptr || !is_cubic(box)) {
         return std::nullopt;
     }
-    ObservableAverage result{"diffusion_infinite_system", "D_inf", "sigma^2/tau", std::nullopt};
+    ObservableAverage result = average_of("diffusion_infinite_system");
     const std::optional<Estimate>& diffusion = found->estimate;
     const std::optional<Estimate>& viscosity = resistance->estimate;
     const std::optional<Estimate>& temperature = motion->estimate;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/observables/transport/heat_flux.hpp"
 
@@ -36,8 +37,8 @@ std::vector<ObservableAverage> HeatFluxAutocorrelation::observables() const {
     if (series_.averages().windows() == 0) {
         return {};
     }
-    ObservableAverage conductivity = series_.averages().coefficient(
-        {"thermal_conductivity", "lambda", "k_B/(sigma tau)", std::nullopt}, conductivity_per_integral());
+    ObservableAverage conductivity =
+        series_.averages().coefficient(average_of("thermal_conductivity"), conductivity_per_integral());
     if (conductivity.estimate && !series_.averages().has_levelled_out()) {
         conductivity.estimate.reset();
         conductivity.remark = still_changes;

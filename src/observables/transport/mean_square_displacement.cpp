@@ -8,6 +8,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/overlapping_origins.hpp"
 
@@ -96,10 +97,10 @@ std::vector<ObservableAverage> MeanSquareDisplacement::observables() const {
         return {};
     }
     if (atoms_ == 1) {
-        return {{"diffusion", "D", "sigma^2/tau", std::nullopt, moves_with_centre}};
+        return {average_of("diffusion", std::nullopt, moves_with_centre)};
     }
     const double independent = independent_origins(slope_, frames_between_origins_, means_.samples());
-    return {{"diffusion", "D", "sigma^2/tau", overlapping_estimate(means_, lags_.count + 1, independent)}};
+    return {average_of("diffusion", overlapping_estimate(means_, lags_.count + 1, independent))};
 }
 
 void MeanSquareDisplacement::archive(Archive& a) {

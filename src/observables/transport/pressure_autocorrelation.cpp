@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -67,8 +68,7 @@ std::vector<ObservableAverage> PressureAutocorrelation::observables() const {
     if (found.windows() == 0) {
         return {};
     }
-    ObservableAverage viscosity =
-        found.coefficient({"bulk_viscosity", "eta_v", "epsilon tau/sigma^3", std::nullopt}, viscosity_per_integral());
+    ObservableAverage viscosity = found.coefficient(average_of("bulk_viscosity"), viscosity_per_integral());
     if (viscosity.estimate && !found.has_levelled_out()) {
         viscosity.estimate.reset();
         viscosity.remark = still_changes;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -46,8 +47,7 @@ std::vector<ObservableAverage> StressAutocorrelation::observables() const {
     if (series_.averages().windows() == 0) {
         return {};
     }
-    return {series_.averages().coefficient({"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt},
-                                           viscosity_per_integral())};
+    return {series_.averages().coefficient(average_of("viscosity"), viscosity_per_integral())};
 }
 
 }  // namespace ljmd

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/green_kubo.hpp"
 
@@ -72,9 +73,9 @@ std::vector<ObservableAverage> VelocityAutocorrelation::observables() const {
         return {};
     }
     if (atoms_ == 1) {
-        return {{"diffusion_green_kubo", "D_GK", "sigma^2/tau", std::nullopt, moves_with_centre}};
+        return {average_of("diffusion_green_kubo", std::nullopt, moves_with_centre)};
     }
-    return {green_kubo_integral({"diffusion_green_kubo", "D_GK", "sigma^2/tau", diffusion()}, change_of_diffusion())};
+    return {green_kubo_integral(average_of("diffusion_green_kubo", diffusion()), change_of_diffusion())};
 }
 
 }  // namespace ljmd

@@ -35,7 +35,7 @@ TEST_CASE("a run that measures a crystal is not judged as a fluid that has not m
     CHECK(verdict_on(page.verdicts, "crystal").level == "good");
     CHECK_THAT(verdict_on(page.verdicts, "equilibrium").words, !Contains("of the crystal was left"));
     CHECK_THAT(verdict_on(page.verdicts, "equation of state").words, Contains("this run measures a crystal"));
-    CHECK_NOTHROW(chart_called(page, "bragg"));
+    CHECK_NOTHROW(chart_called(page, "bragg-debye_waller_factor"));
 }
 
 TEST_CASE("a run without a trajectory shows its last configuration, a failed one where it stopped") {
