@@ -70,6 +70,7 @@ ljmd_plugin_list(forces/few_body FewBodyForceMethod ljmd/forces/few_body_force.h
 ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_engine_registries)
 ljmd_plugin_list(integrators/barostats BarostatMethod ljmd/integrators/barostat.hpp all_barostats ljmd_engine_registries)
 ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_engine_registries)
+ljmd_plugin_list(io/formats/readable ReadableFormat ljmd/io/formats/readable_format.hpp all_readable_formats ljmd_file_registries)
 ljmd_plugin_list(io/formats/trajectories TrajectoryFormat ljmd/io/formats/trajectory_writer.hpp all_trajectory_formats ljmd_file_registries)
 ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_engine_registries)
 ljmd_plugin_list(observables/few_body_analyses FewBodyAnalysisMethod ljmd/observables/few_body/few_body_analysis.hpp all_few_body_analyses ljmd_engine_registries)

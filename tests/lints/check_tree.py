@@ -29,6 +29,7 @@ WITHOUT_TEST = {
     "src/execution/mpi/*.cpp": "takes several processes: tests/mpi runs the program in them",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/python/*.cpp": "the binding: tests/python tries it through the package",
+    "src/io/formats/readable/*.cpp": "plug-ins: tests/io/formats/readable_format_test.cpp tries each",
     "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
 }
 

@@ -76,8 +76,8 @@ void SystemTable::describe(TableDescription& description) {
     description.text("file", file)
         .optional("start from `lattice`")
         .meaning(
-            "file to start from (extended XYZ, H5MD, LAMMPS data or NIST configuration, recognised by content), or the "
-            "directory of a finished run");
+            "file to start from (extended XYZ, the last frame of an H5MD file or a LAMMPS dump, LAMMPS data or NIST "
+            "configuration, recognised by content), or the directory of a finished run");
     description.text("xyz_comment", xyz_comment)
         .optional("the comment lines of `file` say all")
         .meaning("keys that the comment lines of an XYZ `file` lack: 'Lattice=\"20 0 0 0 20 0 0 0 20\" units=si'");

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "h5md_reader.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/text_file.hpp"
-#include "ljmd/io/formats/extended_xyz_reader.hpp"
-#include "ljmd/io/formats/lammps_dump.hpp"
+#include "ljmd/io/formats/readable_format.hpp"
 
 namespace ljmd {
 
@@ -123,32 +121,18 @@ std::vector<std::string> TrajectoryReader::warnings() const {
 std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
                                                   const std::optional<SubstanceUnits>& units, const std::string& group,
                                                   const std::string& xyz_comment) {
-    TextFile file(path);  // refuses files that are not regular, which HDF5 would open
-    const auto refuse_comment = [&] {
-        if (!xyz_comment.empty()) {
-            file.fail_at(0, "is no extended XYZ file, but --xyz-comment is given");
-        }
-    };
-    if (is_hdf5(path)) {
-        refuse_comment();
-        return std::make_unique<H5mdReader>(path, units, group);
+    const std::optional<ReadableFormat> format = format_of(path);
+    const auto fail = [&](const std::string& why) { return DataError(fmt::format("{}: {}", path.string(), why)); };
+    if (!xyz_comment.empty() && !(format && format->takes_comment)) {
+        throw fail("is no extended XYZ file, but --xyz-comment is given");
     }
-    if (!group.empty()) {
-        file.fail_at(0, fmt::format("only an H5MD file has groups of particles, such as {}", shown(group)));
+    if (!group.empty() && !(format && format->has_groups)) {
+        throw fail(fmt::format("only an H5MD file has groups of particles, such as {}", shown(group)));
     }
-    if (!file.next_line()) {
-        file.fail_at(0, "the file is empty");
+    if (!format || !format->trajectory) {
+        throw fail(fmt::format("unknown format; {} can be read", readable_formats(true)));
     }
-    if (file.line().starts_with("ITEM:")) {
-        refuse_comment();
-        return std::make_unique<LammpsDumpTrajectory>(path);
-    }
-    std::vector<std::string_view> fields;
-    split_fields(file.line(), fields);
-    if (fields.size() == 1 && is_number(fields[0])) {
-        return std::make_unique<ExtendedXyzTrajectory>(path, units, xyz_comment);
-    }
-    file.fail_at(0, "unknown format; an H5MD file, an extended XYZ file or a LAMMPS dump can be read");
+    return format->trajectory(path, {units, group, xyz_comment});
 }
 
 }  // namespace ljmd

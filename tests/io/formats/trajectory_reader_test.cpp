@@ -92,7 +92,7 @@ TEST_CASE("the format of a trajectory is recognised by its content") {
 
 TEST_CASE("what is no trajectory is refused") {
     CHECK_THAT(complaint(""), EndsWith("start.txt: the file is empty"));
-    CHECK_THAT(complaint("1 2 3\n"), Contains("unknown format; an H5MD file, an extended XYZ file or a LAMMPS dump"));
+    CHECK_THAT(complaint("1 2 3\n"), Contains("unknown format; an H5MD file, a LAMMPS dump or an extended XYZ file"));
     CHECK_THAT(data_error([] { static_cast<void>(open_trajectory("nowhere", std::nullopt)); }),
                EndsWith("nowhere: no such file"));
     const WrittenFile written("");

@@ -9,13 +9,8 @@
 
 namespace ljmd {
 
-/// Read a configuration in any supported format. The format is recognised by content, not by name:
-///
-/// - NIST sample configuration: the first line is three numbers, see nist_format.hpp;
-/// - extended XYZ: the first line is one number, see extended_xyz_reader.hpp;
-/// - LAMMPS data: "N atoms" is in one of the lines after the first, see lammps_data_reader.hpp. The first line is a
-///   title; if it consists of one or three numbers, the bounds of a box are required, too;
-/// - H5MD: an HDF5 file, see h5md_reader.hpp; the last frame is read.
+/// Read a configuration in any format of all_readable_formats(). The format is recognised by content, not by name. Of a
+/// trajectory the last frame is read, of an extended XYZ file the only one.
 ///
 /// The result meets the contract of Configuration. Positions are not wrapped into the box; no two atoms are at the same
 /// place modulo the box. Memory is bounded by the size of the file, whatever its header says.

@@ -91,11 +91,8 @@ class TrajectoryReader {
     bool begins_anew_ = false;  ///< somewhere a frame did not
 };
 
-/// Open a trajectory in any supported format. The format is recognised by content, not by name:
-///
-/// - H5MD: an HDF5 file, see h5md_reader.hpp;
-/// - LAMMPS dump: the first line begins with "ITEM:", see lammps_dump.hpp;
-/// - extended XYZ: the first line is one number, see extended_xyz_reader.hpp.
+/// Open a trajectory in a format of all_readable_formats() that holds several frames. The format is recognised by
+/// content, not by name.
 ///
 /// @param units        of the substance, for files in SI units; empty: these are refused
 /// @param group        particle group of an H5MD file; empty: the only one
