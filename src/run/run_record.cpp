@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/execution/ranks.hpp"
+#include "ljmd/integrators/integrator.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -79,9 +81,12 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
-/// By which rule the digits are made; null where a function of the calling program takes part.
+/// By which rule the digits are made; null where a function of the calling program takes part, or GSL, whose last
+/// digits are those of its compiler.
 Data digits_of(const Deck& deck, const Execution& execution) {
-    if (deck.given.potential || !deck.given.external.empty()) {
+    const bool by_gsl = std::ranges::any_of(
+        deck.stages, [](const Stage& stage) { return find_integrator(stage.integrator.name).adaptive; });
+    if (by_gsl || deck.given.potential || !deck.given.external.empty()) {
         return nullptr;
     }
     return digits_rule(deck.kind() == DeckKind::few_body ? SimdLevel::portable : execution.simd(),

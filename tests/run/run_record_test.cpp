@@ -79,6 +79,9 @@ TEST_CASE("run.json of a few bodies has the same keys, without seed and substanc
         CHECK(stars.contains(key));
     }
     CHECK(stars.size() == fluid.size());
+    CHECK(fluid.at("digits") == "common-1");
+    CHECK(stars.at("digits") == "common-1");
+    CHECK(first_record(stars_deck, {"stage.orbits.integrator=prince-dormand"}).at("digits").is_null());
 }
 
 TEST_CASE("the hash tells decks apart by text and by settings") {
