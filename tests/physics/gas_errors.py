@@ -4,7 +4,7 @@ Usage: gas_errors.py --ljmd PROGRAM [--folder DIR] [--jobs N]
 
 By hand (ten minutes of two cores). Sixteen runs of 500 atoms and 1600 tau at T = 0.75 and density 0.01, force-shifted at 2.5: each of four
 canonical thermostats, steps of 0.004 and 0.008, two seeds. Collisions are fast, and pairs that are bound are formed and parted slowly, which is
-hidden below them. Z is known, 0.94263 (docs/physics.md). The root mean square deviation from it, and the scatter of the energy, must be 0.6
+hidden below them. Z is known, 0.94263 (docs/equations-of-state.md). The root mean square deviation from it, and the scatter of the energy, must be 0.6
 to 1.5 times the errors (16 runs know them to 18 %).
 """
 

@@ -34,7 +34,7 @@ struct Stage {
     std::optional<double> total_energy = {};
 
     /// Ends the last stage of a fluid, which is sampled, as soon as the averages of the run have these errors; see
-    /// until_observables() and docs/physics.md.
+    /// until_observables() and docs/averages.md.
     std::vector<WantedError> until = {};
 
     /// The keys of [[stage]] of a fluid, and of few bodies.

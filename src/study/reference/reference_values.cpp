@@ -160,7 +160,7 @@ struct ThreeResponses {
     double bulk_modulus;
 };
 
-/// As in docs/physics.md, response functions. @return none for a name that is none of them
+/// As in docs/response-functions.md, response functions. @return none for a name that is none of them
 std::optional<double> response_from(const std::string& name, const ThreeResponses& r, double t, double rho) {
     const double alpha = r.thermal_pressure / r.bulk_modulus;
     const double cp = r.heat_capacity_cv + t * squared(r.thermal_pressure) / (rho * r.bulk_modulus);

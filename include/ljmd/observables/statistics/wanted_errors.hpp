@@ -32,7 +32,7 @@ struct ErrorSoFar {
 /// mean +- one error covers the truth in 68 %. The rest is what stopping costs: of the errors at a look those that are
 /// too small end the series, and those that are too large go on. The 2 was found by measurement: over white and
 /// correlated series and all errors wanted, 66.6 to 70 % of the intervals cover the truth with it, 62 to 67 % without
-/// (docs/physics.md).
+/// (docs/averages.md).
 [[nodiscard]] Estimate stopped_estimate(Estimate estimate);
 
 /// Whether a length can be ended with this estimate: the error is at most the wanted one, it comes from at least 150
