@@ -30,8 +30,8 @@ def small_deck(**changes) -> ljmd.Deck:
     return deck
 
 
-def long_deck(steps: int = 1_000_000, atoms: int = 864) -> ljmd.Deck:
-    """A liquid that runs for minutes unless it is stopped."""
+def long_deck(steps: int = 10**12, atoms: int = 864) -> ljmd.Deck:
+    """A liquid that runs for ever unless it is stopped, or is given its steps."""
     deck = ljmd.Deck.fluid(atoms=atoms, seed=3)
     deck.stages = [ljmd.Stage("production", steps, sample=True)]
     return deck

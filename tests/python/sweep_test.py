@@ -164,7 +164,7 @@ class Sweeps(Case):
 
 class Interrupted(Case):
     def test_ctrl_c_leaves_checkpoints_from_which_the_sweep_goes_on(self):
-        deck = long_deck(3_000_000, atoms=108)
+        deck = long_deck(atoms=108)
         deck.potential.cutoff = 2.0
         folder = self.folder / "sweep"
         points = {"system.temperature": [1.0, 1.2]}
