@@ -69,7 +69,7 @@ class RunCommand : public Command {
             read = read_deck(ranks);
             check_directory(read->deck, options_.force);
         });
-        const Deck& deck = read->deck;
+        Deck& deck = read->deck;
         CheckedRun& run = read->run;
         require_shareable(ranks, deck, run);
         Progress progress(run.atoms(), total_steps(deck.stages), options_.quiet);
