@@ -9,7 +9,7 @@ namespace {
 /// Asked by the scripts of `ljmd completion`, at each press of a key.
 class CompleteCommand : public Command {
   public:
-    CompleteCommand() : Command("complete", Part::hidden, "what the last of these words can be") {}
+    CompleteCommand() : Command("complete", Part::hidden, "what the last word can be") {}
 
     void add_options(CLI::App& command) override {
         program_ = command.get_parent();

@@ -31,7 +31,7 @@ namespace ljmd {
 
 namespace {
 
-/// The subject of `ljmd info`, at most one of these; by default the program.
+/// What `ljmd info` tells of: the program, or one of the others.
 struct InfoOptions {
     std::string directory = {};  ///< of a run or a study
     bool keys = false;           ///< the reference page of all keys of a deck, in Markdown

@@ -147,22 +147,6 @@ std::vector<std::string> print_rows(const std::vector<RowRun>& runs, const OpenD
     return failures;
 }
 
-/// Gather what is finished, and submit what is missing.
-void submit_rows(std::vector<RowRun>& runs, const OpenDirectory& directory, const SlurmArray& array,
-                 const ReproduceOptions& options) {
-    const Gathered found = gathered(pointers_to(runs));
-    const std::string submitted =
-        found.missing > 0
-            ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs)), options.force)
-            : "";
-    if (!found.ended()) {
-        print_submitted(reproduction_words(), directory.path(), found, submitted, options.json);
-        return;
-    }
-    throw_failures(reproduction_words(), print_rows(runs, directory, options.json), runs.size(),
-                   fmt::format("they are tried again: {}", submitted));
-}
-
 class ReproduceCommand : public Command {
   public:
     ReproduceCommand()
@@ -223,7 +207,9 @@ class ReproduceCommand : public Command {
         if (options_.mode.prepare) {
             print_prepared(reproduction_words(), out, runs.size(), options_.json);
         } else if (array) {
-            submit_rows(runs, directory, *array, options_);
+            submit_missing(reproduction_words(), *array, pointers_to(runs), directory,
+                           {options_.jobs, options_.force, options_.json},
+                           [&] { return print_rows(runs, directory, options_.json); });
         } else {
             run_all(pointers_to(runs), directory, options_.jobs, until_signal(), options_.quiet ? TellRun() : tell_row);
             throw_failures(reproduction_words(), print_rows(runs, directory, options_.json), runs.size(),

@@ -116,23 +116,6 @@ std::vector<std::string> print_table(const SweepPlan& plan, const std::vector<Po
     return failures;
 }
 
-/// Gather what is finished, and submit what is missing.
-void submit_sweep(const SweepPlan& plan, std::vector<PointRun>& runs, const OpenDirectory& directory,
-                  const SlurmArray& array, const SweepOptions& options) {
-    const Gathered found = gathered(pointers_to(runs));
-    const std::string submitted =
-        found.missing > 0
-            ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs)), options.force)
-            : "";
-    if (!found.ended()) {
-        print_submitted(sweep_words(), directory.path(), found, submitted, options.json);
-        return;
-    }
-    throw_failures(sweep_words(), print_table(plan, runs, directory, options.json), runs.size(),
-                   submitted.empty() ? "to begin them anew, remove their directories"
-                                     : fmt::format("they are tried again: {}", submitted));
-}
-
 class SweepCommand : public Command {
   public:
     SweepCommand()
@@ -195,7 +178,9 @@ class SweepCommand : public Command {
         if (options_.mode.prepare) {
             print_prepared(sweep_words(), path, runs.size(), options_.json);
         } else if (array) {
-            submit_sweep(plan, runs, directory, *array, options_);
+            submit_missing(sweep_words(), *array, pointers_to(runs), directory,
+                           {options_.jobs, options_.force, options_.json},
+                           [&] { return print_table(plan, runs, directory, options_.json); });
         } else {
             run_all(pointers_to(runs), directory, options_.jobs, until_signal(),
                     options_.quiet ? TellRun() : tell_point);

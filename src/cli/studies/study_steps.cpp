@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
@@ -95,6 +97,9 @@ Gathered gathered(const std::vector<RunLine*>& lines) {
     return found;
 }
 
+namespace {
+
+/// Tell what was gathered of a study that has not come to its end, and what was submitted.
 void print_submitted(const StudyWords& words, const std::filesystem::path& directory, const Gathered& found,
                      const std::string& submitted, bool as_json) {
     const std::size_t all = found.finished.size();
@@ -108,6 +113,25 @@ void print_submitted(const StudyWords& words, const std::filesystem::path& direc
                                 directory.string(), all - found.missing, all, words.one, submitted, words.command,
                                 shell_word(directory))},
                    as_json);
+}
+
+}  // namespace
+
+void submit_missing(const StudyWords& words, const SlurmArray& array, const std::vector<RunLine*>& lines,
+                    const OpenDirectory& directory, const SubmitOptions& options,
+                    const std::function<std::vector<std::string>()>& print) {
+    const Gathered found = gathered(lines);
+    const std::string submitted =
+        found.missing > 0
+            ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs)), options.force)
+            : "";
+    if (!found.ended()) {
+        print_submitted(words, directory.path(), found, submitted, options.json);
+        return;
+    }
+    throw_failures(words, print(), lines.size(),
+                   submitted.empty() ? "to begin them anew, remove their directories"
+                                     : fmt::format("they are tried again: {}", submitted));
 }
 
 }  // namespace ljmd

@@ -52,7 +52,7 @@ TEST_CASE("eos makes a table of a range or a list, as text, JSON or CSV") {
           data_list_csv(points_document(thol, {{0.9}, {0.7}, {}}).data["points"]));
 }
 
-TEST_CASE("eos warns of doubtful numbers, and only of these") {
+TEST_CASE("eos warns of doubtful numbers, and of no others") {
     CHECK(eos({"--temperature", "1.5", "--density", "0.5"}).err.empty());
     CHECK(eos({"--temperature", "0.9"}).err.empty());
     CHECK_THAT(eos({"--temperature", "0.9", "--density", "0.5"}).err, Contains("warning: ") && Contains("coexist"));

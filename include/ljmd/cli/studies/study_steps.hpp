@@ -10,6 +10,7 @@
 #include "ljmd/io/files/open_directory.hpp"
 #include "ljmd/run/interruption.hpp"
 #include "ljmd/study/run_lines.hpp"
+#include "ljmd/study/slurm_array.hpp"
 
 /// The steps that `ljmd sweep` and `ljmd reproduce` have in common: prepare a directory, work on its runs, gather.
 namespace ljmd {
@@ -63,14 +64,24 @@ struct Gathered {
 /// failures.
 [[nodiscard]] Gathered gathered(const std::vector<RunLine*>& lines);
 
-/// Tell what was gathered of a study that has not come to its end, and what was submitted.
-void print_submitted(const StudyWords& words, const std::filesystem::path& directory, const Gathered& found,
-                     const std::string& submitted, bool as_json);
-
 /// @throws PhysicsError  there are failures
 /// @param all    number of runs
 /// @param again  what tries them again: "the same command tries them again"
 void throw_failures(const StudyWords& words, const std::vector<std::string>& failures, std::size_t all,
                     const std::string& again);
+
+/// How runs are submitted, and what is printed.
+struct SubmitOptions {
+    int jobs = 0;  ///< runs at a time in each task; 0: one
+    bool force = false;
+    bool json = false;
+};
+
+/// Gather what is finished, and submit what is missing as a job array. Tell both, unless the study has ended.
+/// @param print  print the table of a study that has ended, and return why runs have failed
+/// @throws PhysicsError  it has ended, and some have failed
+void submit_missing(const StudyWords& words, const SlurmArray& array, const std::vector<RunLine*>& lines,
+                    const OpenDirectory& directory, const SubmitOptions& options,
+                    const std::function<std::vector<std::string>()>& print);
 
 }  // namespace ljmd
