@@ -22,7 +22,7 @@ struct AnalyzedTrajectory {
     std::string xyz_comment{};  ///< keys missing from the comment lines of an extended XYZ file
     Execution execution{};      ///< for the states of the frames
 
-    [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
+    [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units() : std::nullopt; }
 };
 
 /// What a trajectory is told where its file leaves it open, and which frames are measured.

@@ -285,7 +285,8 @@ class EvaluateCommand : public Command {
         const Execution execution(how.execution);
         const fs::path path = configuration_file(options_.path);
         const std::optional<fs::path> written = frames_to_write(options_);
-        const auto reader = open_frames(path, deck ? deck->units : std::nullopt, options_.group, options_.xyz_comment);
+        const auto reader =
+            open_frames(path, deck ? deck->units() : std::nullopt, options_.group, options_.xyz_comment);
 
         const auto evaluate_all = [&](OutputFile* file) {
             Printer printer(how.spec, path.string(), options_.json);
