@@ -34,11 +34,11 @@ struct Start {
 
 /// What a fluid's deck says, as values, with the potential that a program gave. Of a start file nothing is read: the
 /// configuration is empty.
-/// @throws DataError  the deck is that of a run with a potential which is not known here
+/// @throws DataError  the deck is of a run with a potential which is not known here
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck);
 
 /// The same with the configuration of the start.
-/// @throws DataError when velocities are to be those of a file that has none, or to be drawn without a temperature
+/// @throws DataError when velocities are to be taken from a file that has none, or to be drawn without a temperature
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck, Start start);
 
 }  // namespace ljmd
