@@ -14,8 +14,8 @@ namespace ljmd {
 
 namespace {
 
-/// Memory of this process [bytes] from the kernel: "VmRSS" now or "VmHWM" at its peak; 0 if unknown. (The peak of
-/// getrusage may be that of the program that started this one.)
+/// Memory of this process [bytes] from the kernel: "VmRSS" now or "VmHWM" at its peak; 0 if unknown. (getrusage may
+/// give the peak of the program that started this one.)
 double memory(std::string_view field) {
     std::ifstream status("/proc/self/status");
     for (std::string name; status >> name;) {

@@ -194,7 +194,7 @@ int end_after_exception() {
     try {
         throw;
     } catch (const RankLost&) {
-        return ends_together ? 0 : lost;  // the code of the job is that of the rank that says why
+        return ends_together ? 0 : lost;  // the job ends with the code of the rank that says why
     } catch (const PhysicsError&) {
         found_by_all = true;
     } catch (const Interrupted&) {

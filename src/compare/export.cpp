@@ -32,7 +32,7 @@ struct Export {
     const Deck& deck;
     const State& state;
     fs::path directory;
-    bool forces;  ///< those of the state are current, and written
+    bool forces;  ///< whether the state's forces are current, and written
     Replacing allowed;
 
     [[nodiscard]] Fluid fluid() const {

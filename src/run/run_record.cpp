@@ -82,7 +82,7 @@ std::string save_failure(const RunPlan& plan, const State& state) {
 }
 
 /// By which rule the digits are made; null where a function of the calling program takes part, or GSL, whose last
-/// digits are those of its compiler.
+/// digits depend on its compiler.
 Data digits_of(const RunPlan& plan, const Execution& execution) {
     const bool by_gsl = std::ranges::any_of(
         plan.stages(), [](const Stage& stage) { return find_integrator(stage.integrator.name).adaptive; });

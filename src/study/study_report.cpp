@@ -53,7 +53,7 @@ struct Study {
     }
 };
 
-/// Steps that decks of runs ask for. Those of a study differ in few keys: a deck is read only if its text, or what is
+/// Steps that decks of runs ask for. Decks of one study differ in few keys: a deck is read only if its text, or what is
 /// set of its stages, is new.
 class AskedSteps {
   public:

@@ -37,7 +37,7 @@ struct Start {
 [[nodiscard]] FluidSpec spec_of(const FluidTables& tables, const std::optional<SubstanceUnits>& units);
 
 /// fluid_spec() of a deck, with the configuration of its start.
-/// @throws DataError when velocities are to be those of a file that has none, or to be drawn without a temperature
+/// @throws DataError when velocities are to be taken from a file that has none, or to be drawn without a temperature
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck, Start start);
 
 }  // namespace ljmd

@@ -56,7 +56,8 @@ struct Continuation {
     void restore(const RunPlan& plan, const State& state, const std::function<void(Archive&)>& archive) const;
 };
 
-/// That of the newest intact checkpoint in the output directory of a deck; nothing if there is none at all.
+/// The continuation from the newest intact checkpoint in the output directory of a deck; nothing if there is none at
+/// all.
 /// @param earlier  the record of the run so far
 /// @throws CheckpointError when all are damaged, or when it belongs to another deck or version, or cannot have been
 /// written by a run of the deck

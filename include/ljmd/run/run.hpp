@@ -31,7 +31,7 @@ struct RunControl {
 ///
 /// @param fluid, system  what the deck makes, see make_fluid() and make_few_body_system(); an external force of the
 /// fluid is noted in run.json, and a run that had one is resumed with it
-/// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
+/// @pre  the output directory exists and has no earlier outputs, or it is the resumed run's
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 RunResult run_plan(const RunPlan& plan, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});
 FewBodyResult run_plan(const RunPlan& plan, FewBodySystem& system, RunListener& listener,

@@ -50,7 +50,7 @@ void make_directory(const std::filesystem::path& directory);
 /// @throws FileError  it cannot be created or cleared
 void prepare_directory(const std::filesystem::path& directory);
 
-/// Refuse files that cannot be those of the run, as far as this shows without reading them. Called before any of them
+/// Refuse files that cannot be the run's, as far as this shows without reading them. Called before any of them
 /// is changed. @throws CheckpointError
 void check_outputs(const RunPlan& plan, const Continuation& continuation);
 

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 /// Options of `ljmd evaluate`.
 struct EvaluateOptions {
     std::string path{};                   ///< a configuration, a trajectory, or the directory of a run
-    std::string deck{};                   ///< empty: that of the run, or the options of the potential
+    std::string deck{};                   ///< empty: the run's deck, or the options of the potential
     std::vector<std::string> settings{};  ///< arguments of --set, for a deck
 
     // The potential, where there is no deck.
