@@ -9,18 +9,25 @@ using namespace ljmd;
 
 namespace {
 
-std::string text_of(const std::string& name) {
-    std::ifstream file(std::string(LJMD_INPUTS) + "/../src/report/web/dist/" + name, std::ios::binary);
+std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
 
 TEST_CASE("the program has the files of the page, byte for byte") {
-    CHECK((page_bundle().frame == text_of("index.html")));
-    CHECK((page_bundle().style == text_of("report.css")));
-    CHECK((page_bundle().script == text_of("report.js")));
+    const std::string page = LJMD_PAGE;
+    CHECK((page_bundle().frame == text_of(page + "/index.html")));
+    CHECK((page_bundle().style == text_of(page + "/report.css")));
+    CHECK((page_bundle().script == text_of(LJMD_PAGE_SCRIPT)));
     CHECK(page_bundle().script.size() > 100);
+}
+
+TEST_CASE("the script of the page says by whom its parts are, also when it is shortened") {
+    const std::string licences = text_of(std::string(LJMD_PAGE) + "/THIRD-PARTY-LICENSES");
+    CHECK(licences.size() > 1000);
+    CHECK(page_bundle().script.starts_with("/*!\n" + licences.substr(0, 1000)));
 }
 
 TEST_CASE("the page asks for nothing from anywhere, and its script ends no element") {

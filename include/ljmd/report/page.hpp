@@ -16,7 +16,7 @@ inline constexpr std::string_view page_mark = "<meta name=\"generator\" content=
 struct PageBundle {
     std::string_view frame;   ///< index.html, with places for the other parts
     std::string_view style;   ///< report.css
-    std::string_view script;  ///< report.js
+    std::string_view script;  ///< report.js, shortened where the build was told to
 };
 [[nodiscard]] PageBundle page_bundle();
 

@@ -1,4 +1,4 @@
-// Bundles the page: source/ and style/ into dist/, which is committed. Needs `npm ci`.
+// Bundles the page: source/ and style/ into dist/, which is committed, and stays readable. Needs `npm ci`.
 //
 //     node build.mjs [FOLDER]      FOLDER: instead of dist/, as the test does that compares with what is committed
 import { build } from "esbuild";
@@ -12,7 +12,6 @@ const out = process.argv[2] ?? join(here, "dist");
 const bundle = {
     absWorkingDir: here,
     bundle: true,
-    minify: true,
     charset: "utf8",
     legalComments: "none",
     target: ["es2020"],
@@ -50,7 +49,7 @@ const style = await build({ ...bundle, entryPoints: ["style/report.css"] });
 const texts = licences(packagesOf(script.metafile));
 
 // The page is handed on as one file, so the licences travel in its script.
-const code = `/*\n${texts.replaceAll("*/", "* /")}*/\n${script.outputFiles[0].text}`;
+const code = `/*!\n${texts.replaceAll("*/", "* /")}*/\n${script.outputFiles[0].text}`;
 if (/<\/script|<!--/i.test(code)) throw new Error("the bundle would end the script element that it stands in");
 
 mkdirSync(out, { recursive: true });
