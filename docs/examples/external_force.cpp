@@ -1,4 +1,4 @@
-// A gas in a field U_0 cos(2 pi x/L), with its energy beside that of an ideal gas: -U_0 I_1(U_0/T)/I_0(U_0/T).
+// A gas in a field U_0 cos(2 pi x/L), with its energy beside an ideal gas's: -U_0 I_1(U_0/T)/I_0(U_0/T).
 #include <ljmd/ljmd.hpp>
 
 #include <cmath>

@@ -70,9 +70,9 @@ std::vector<double> densities_of(const DataTable& table, const Deck& deck, const
 
 /// Whether nothing but the integrator changes the total energy of the rows.
 bool energy_is_conserved(const Deck& deck) {
-    const SampledSteps sampled(deck.stages);
+    const SampledSteps sampled(deck.stages());
     Index last = 0;
-    return deck.given.external.empty() && std::ranges::all_of(deck.stages, [&](const Stage& stage) {
+    return deck.given.external.empty() && std::ranges::all_of(deck.stages(), [&](const Stage& stage) {
                last += stage.steps;
                return stage.steps == 0 || !sampled.contain(last) || (!stage.thermostat && !stage.barostat);
            });
@@ -139,12 +139,12 @@ class RowAverages {
             return known->second;
         }
         const Deck& deck = run_.deck;
-        RunAverages averages(atoms_.value_or(2), sampled_ensemble(deck.stages, !deck.given.external.empty()), false,
-                             exchange_steps(deck.stages) / static_cast<double>(deck.thermo_every));
+        RunAverages averages(atoms_.value_or(2), sampled_ensemble(deck.stages(), !deck.given.external.empty()), false,
+                             exchange_steps(deck.stages()) / static_cast<double>(deck.sample_every()));
         std::for_each(rows_.begin() + start, rows_.end(), [&](const Thermodynamics& row) { averages.add(row); });
         std::vector<ObservableAverage> found = averages.averages();
         if (run_.finished) {
-            widen_wanted(found, deck.stages.back().until);
+            widen_wanted(found, deck.stages().back().until);
         }
         return averages_[start] = std::move(found);
     }
@@ -160,14 +160,14 @@ class RowAverages {
 /// thermostat alone the pressure coefficient.
 std::vector<ObservableAverage> responses(const DataTable& table, const Deck& deck) {
     const auto atoms = atoms_of(deck);
-    const Ensemble ensemble = sampled_ensemble(deck.stages);
+    const Ensemble ensemble = sampled_ensemble(deck.stages());
     const bool isobaric = ensemble == Ensemble::isothermal_isobaric;
     // The energy of a plain cut is not the one that the forces belong to, see SampledResponses.
     const bool is_cut = deck.potential().truncation == "cut";
     if (!atoms || is_cut || !deck.given.external.empty() || (!isobaric && ensemble != Ensemble::canonical)) {
         return {};
     }
-    const auto held = isobaric ? held_pressure(deck.stages[first_sampled(deck.stages)]) : std::nullopt;
+    const auto held = isobaric ? held_pressure(deck.stages()[first_sampled(deck.stages())]) : std::nullopt;
     ResponseFunctions responses(*atoms, ensemble, held, false);
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");
@@ -315,7 +315,7 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     require_fluid(run.deck, "a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
     const std::filesystem::path path = run.deck.directory / "thermo.csv";
     DataTable table = read_growing_csv(path);
-    const SampledSteps sampled(run.deck.stages);
+    const SampledSteps sampled(run.deck.stages());
     const std::vector<Index> all_steps = step_column(table, path);
     const std::vector<double> all_times = full_column(table, "time", path);
     std::size_t row = 0;

@@ -195,7 +195,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     }
     const Table table = with_settings(tables_of(methods, deck, selection.steps_apart), settings, names);
     Diagnostics diagnostics;
-    const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units : std::nullopt, diagnostics);
+    const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units() : std::nullopt, diagnostics);
     for (const AnalysisMethod& method : methods) {
         const Section& section = sections.section(method.name);
         report_at_keys(choose(method, section).options->check(run), section, diagnostics);

@@ -28,7 +28,7 @@ DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
         return {};
     }
     const Box box(trajectory.summary.edges);
-    return {sampled_ensemble(trajectory.deck->stages),
+    return {sampled_ensemble(trajectory.deck->stages()),
             sampled_run(*trajectory.deck, trajectory.summary.atoms, box).held_temperature};
 }
 
@@ -178,9 +178,10 @@ AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, cons
         summarize(path, trajectory.units(), options.group, options.positions, options.xyz_comment, frame_read);
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
-        time_step = deck->stages[first_sampled(deck->stages)].time_step;
+        time_step = deck->stages()[first_sampled(deck->stages())].time_step;
     }
-    trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
+    trajectory.selection =
+        select_frames(trajectory.summary, time_step, is_run ? &deck->stages() : nullptr, options.from);
     if (thermo) {
         check_thermo(deck, trajectory.summary, trajectory.selection);
     }

@@ -14,8 +14,8 @@ namespace ljmd {
 
 namespace {
 
-/// Memory of this process [bytes] from the kernel: "VmRSS" now or "VmHWM" at its peak; 0 if unknown. (The peak of
-/// getrusage may be that of the program that started this one.)
+/// Memory of this process [bytes] from the kernel: "VmRSS" now or "VmHWM" at its peak; 0 if unknown. (getrusage may
+/// give the peak of the program that started this one.)
 double memory(std::string_view field) {
     std::ifstream status("/proc/self/status");
     for (std::string name; status >> name;) {
@@ -59,10 +59,10 @@ BenchResult bench(Deck deck, Start start, const Execution& execution) {
     const double before = memory("VmRSS");
     const Index atoms = start.atoms;
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), execution, [](const std::string&) {});
-    MemoryAtEnd memory(total_steps(deck.stages));
-    const RunResult result = run_deck(deck, simulation, memory);
+    MemoryAtEnd memory(total_steps(deck.stages()));
+    const RunResult result = run_plan(deck, simulation, memory);
     return {atoms,
-            total_steps(deck.stages),
+            total_steps(deck.stages()),
             result.search.rebuilds,
             list_policy(deck.neighbors()),
             std::string(name(execution.precision())),

@@ -27,14 +27,14 @@ bool ends_together = false;  ///< all ranks end because of the present error
 
 /// Why ranks cannot share the run of a deck; empty if they can.
 std::string unshareable(const Deck& deck) {
-    if (deck.kind() != DeckKind::fluid) {
+    if (!deck.is_fluid()) {
         return "is of few bodies, which one process computes";
     }
     if (deck.neighbors().method != VerletList::name) {
         return fmt::format("finds pairs by method = \"{}\": ranks share a {}", deck.neighbors().method,
                            VerletList::name);
     }
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         if (stage.integrator.name == "prince-dormand") {
             return fmt::format("has the integrator {}, which one process computes", stage.integrator.name);
         }
@@ -194,7 +194,7 @@ int end_after_exception() {
     try {
         throw;
     } catch (const RankLost&) {
-        return ends_together ? 0 : lost;  // the code of the job is that of the rank that says why
+        return ends_together ? 0 : lost;  // the job ends with the code of the rank that says why
     } catch (const PhysicsError&) {
         found_by_all = true;
     } catch (const Interrupted&) {

@@ -41,14 +41,14 @@ class Comparer : private StepObserver {
     Comparer(const Deck& deck, RunListener& listener)
         : deck_(deck),
           listener_(listener),
-          system_(make_few_body_system(deck)),
+          system_(make_few_body_system(deck.few_bodies())),
           forces_(system_.force.options->make()),
           reference_(system_.state, *forces_, tolerance),
           coarser_(system_.state, *forces_, coarser_tolerance),
-          every_(std::max<Index>(1, (total_steps(deck.stages) + max_rows - 1) / max_rows)) {}
+          every_(std::max<Index>(1, (total_steps(deck.stages()) + max_rows - 1) / max_rows)) {}
 
     GslComparison run() {
-        run_stages(deck_.stages, system_.state, *system_.force_field, *this);
+        run_stages(deck_.stages(), system_.state, *system_.force_field, *this);
         return comparison_;
     }
 
@@ -68,7 +68,7 @@ class Comparer : private StepObserver {
     void step_done(const Stage&, const Evaluation& evaluation) override {
         const State& state = system_.state;
         watch(evaluation);
-        if (state.step % every_ == 0 || state.step == total_steps(deck_.stages)) {
+        if (state.step % every_ == 0 || state.step == total_steps(deck_.stages())) {
             note(evaluation);
         }
         listener_.step_done(state.step);
@@ -123,7 +123,7 @@ GslComparison compare_with_gsl(const Deck& deck, RunListener& listener) {
     require_few_bodies(deck, fmt::format("{} is the deck of a fluid, whose motion is too chaotic to be followed; "
                                          "'gsl' compares few-body decks, 'openmm' and 'lammps' fluids",
                                          deck.path));
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         if (stage.reverse) {
             throw InputError(
                 fmt::format("stage '{}' runs backwards; the comparison with gsl goes forward only", stage.name));

@@ -107,7 +107,7 @@ EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Sta
     EnsembleOptions options{.integrator = paired ? name : "velocity-verlet",
                             .time_step = stage.time_step,
                             .steps = stage.steps,
-                            .every = deck.thermo_every,
+                            .every = deck.sample_every(),
                             .frame_every = 0,
                             .bins = default_bins,
                             .radius = 0.5 * state.box().shortest_edge(),
@@ -178,13 +178,14 @@ Index Crosscheck::failures() const {
 }
 
 Index steps_before_crosscheck(const Deck& deck) {
-    return steps_before(deck.stages, first_sampled(deck.stages));
+    return steps_before(deck.stages(), first_sampled(deck.stages()));
 }
 
 Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListener& listener) {
     const FluidSpec spec = fluid_spec(deck);
-    const std::size_t compared = first_sampled(deck.stages);
-    const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
+    const std::size_t compared = first_sampled(deck.stages());
+    const std::vector<Stage> before(deck.stages().begin(),
+                                    deck.stages().begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
     run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
     return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail());
@@ -193,8 +194,8 @@ Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListen
 Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
                       RunListener& listener, const std::function<void(const std::string&)>& say) {
     const FluidSpec spec = fluid_spec(deck);
-    const std::size_t compared = first_sampled(deck.stages);
-    const Stage& stage = deck.stages[compared];
+    const std::size_t compared = first_sampled(deck.stages());
+    const Stage& stage = deck.stages()[compared];
     if (stage.total_energy) {
         say(fmt::format("stage '{}' is compared at the energy of its start: velocities are not scaled to total_energy",
                         stage.name));

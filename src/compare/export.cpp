@@ -32,7 +32,7 @@ struct Export {
     const Deck& deck;
     const State& state;
     fs::path directory;
-    bool forces;  ///< those of the state are current, and written
+    bool forces;  ///< whether the state's forces are current, and written
     Replacing allowed;
 
     [[nodiscard]] Fluid fluid() const {
@@ -59,7 +59,7 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
     const Stage& exported = exported_stage(deck);
     std::vector<std::string> words;
     std::vector<std::string> others;
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         if (&stage != &exported && stage.steps > 0) {
             others.push_back(stage.name);
         }
@@ -218,7 +218,7 @@ std::vector<std::string> export_targets() {
 }
 
 const Stage& exported_stage(const Deck& deck) {
-    return deck.stages[first_sampled(deck.stages)];
+    return deck.stages()[first_sampled(deck.stages())];
 }
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {

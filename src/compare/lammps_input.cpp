@@ -73,7 +73,7 @@ std::string system_lines(const Fluid& fluid) {
         LammpsFiles::start, lammps_pair_style(fluid.potential));
 }
 
-/// The same with the columns of the tables. The kinetic energy is not that of thermo_style, which is computed from the
+/// The same with the columns of the tables. The kinetic energy is not thermo_style's, which is computed from the
 /// temperature and vanishes for a single atom.
 std::string table_lines(const Fluid& fluid) {
     return system_lines(fluid) +

@@ -232,7 +232,7 @@ class LammpsPeer : public Peer {
         throw DataError(fmt::format("LAMMPS' log has no row of step {}", step));
     }
 
-    /// The vectors of the next frame by id; the frame must be that of the step.
+    /// The vectors of the next frame by id; the frame must be the step's.
     [[nodiscard]] std::vector<Vec3> next_vectors(LammpsDump& dump, Index step,
                                                  const std::vector<std::string>& columns) const {
         if (!dump.next_frame(atoms())) {

@@ -19,7 +19,7 @@ struct OpenmmFluid : Fluid {
 /// @throws InputError as openmm_expression()
 [[nodiscard]] OpenmmFluid openmm_fluid(const Fluid& fluid);
 
-/// What the module for OpenMM offers. Its errors are those of ljmd: types of exceptions are compared by their names.
+/// What the module for OpenMM offers. Its errors are ljmd's: types of exceptions are compared by their names.
 class OpenmmModule {
   public:
     virtual ~OpenmmModule() = default;

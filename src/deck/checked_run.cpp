@@ -11,7 +11,7 @@ namespace ljmd {
 
 CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics,
                        const std::shared_ptr<Ranks>& ranks) {
-    if (deck.kind() == DeckKind::few_body) {
+    if (!deck.is_fluid()) {
         return {std::nullopt, Execution()};
     }
     Start start = find_start(deck);

@@ -87,23 +87,29 @@ std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
 
+FewBodySpec spec_of(const FewBodyTables& tables) {
+    return {.force = tables.force.method,
+            .bodies = {tables.bodies.begin(), tables.bodies.end()},
+            .stages = stages_of(tables),
+            .sample_every = tables.output.thermo.every,
+            .analyses = tables.analysis.asked};
+}
+
 template <class Tables>
 Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
-             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables, GivenParts&& given = {}) {
+             const Placed<Tables>& tables, decltype(RunPlan::spec) spec) {
     const auto& output = tables.output;
-    return {.path = path.string(),
-            .source = file.source->text,
-            .settings = settings,
-            .title = tables.title,
-            .units = units,
-            .tables = tables,
-            .stages = stages_of(tables),
-            .directory = output.directory ? std::filesystem::path(*output.directory) : default_directory(path),
-            .thermo_every = output.thermo.every,
-            .trajectory = output.trajectory ? std::optional<TrajectoryOutput>(*output.trajectory) : std::nullopt,
-            .checkpoint = output.checkpoint,
-            .report = output.report,
-            .given = std::move(given)};
+    Deck deck{{{.title = tables.title,
+                .trajectory = output.trajectory ? std::optional<TrajectoryOutput>(*output.trajectory) : std::nullopt,
+                .checkpoint = output.checkpoint},
+               path.string(),
+               file.source->text,
+               settings,
+               std::move(spec)},
+              tables};
+    deck.directory = output.directory ? std::filesystem::path(*output.directory) : default_directory(path);
+    deck.report = output.report;
+    return deck;
 }
 
 /// A potential of the program, and what the deck says that does not go with it.
@@ -160,7 +166,7 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
             return std::nullopt;
         }
         check_few_body_effects(tables, diagnostics);
-        return to_deck(path, file, settings, units, tables);
+        return to_deck(path, file, settings, tables, spec_of(tables));
     }
     const Placed<FluidTables> tables(root);
     check_sense(tables, units.has_value(), force, diagnostics);
@@ -169,7 +175,12 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
         return std::nullopt;
     }
     check_effects(tables, diagnostics);
-    const Deck deck = to_deck(path, file, settings, units, tables, std::move(given));
+    Deck deck = to_deck(path, file, settings, tables, spec_of(tables, units));
+    deck.precision = precision_of(tables.performance.precision);
+    deck.given = std::move(given);
+    if (tables.system.file) {
+        deck.start_file = configuration_file(*tables.system.file);
+    }
     if (tables.system.lattice) {  // a file is checked later, see check_start
         check_start_effects(tables, false, diagnostics);
         if (!tables.system.lattice->height) {

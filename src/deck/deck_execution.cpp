@@ -4,15 +4,10 @@
 
 namespace ljmd {
 
-ExecutionOptions execution_options(const Deck& deck, int threads, const std::string& simd) {
+ExecutionOptions execution_options(const RunPlan& plan, int threads, const std::string& simd) {
     return {.threads = threads > 0 ? threads : default_thread_count(),
             .simd = default_simd_level(simd),
-            .precision = precision_of(deck)};
-}
-
-Precision precision_of(const Deck& deck) {
-    return deck.kind() == DeckKind::fluid ? precision_of(deck.fluid().performance.precision)
-                                          : Precision::double_precision;
+            .precision = plan.precision};
 }
 
 }  // namespace ljmd

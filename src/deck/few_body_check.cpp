@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -13,8 +13,8 @@ constexpr double bytes_per_number = 20.0;  // in text form
 
 /// Size of the two files that grow with the run.
 double disk_bytes(const Deck& deck, const FewBodySystem& system) {
-    const auto steps = static_cast<double>(total_steps(deck.stages));
-    double numbers = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (5.0 + 2.0 * system.dimensions);
+    const auto steps = static_cast<double>(total_steps(deck.stages()));
+    double numbers = (1.0 + steps / static_cast<double>(deck.sample_every())) * (5.0 + 2.0 * system.dimensions);
     if (deck.trajectory) {
         const double vectors = deck.trajectory->accelerations ? 3.0 : 2.0;
         numbers += (1.0 + steps / static_cast<double>(deck.trajectory->every)) *
@@ -31,7 +31,7 @@ double energy_at_start(FewBodySystem& system) {
 }  // namespace
 
 Document few_body_check_report(const Deck& deck) {
-    FewBodySystem system = make_few_body_system(deck);
+    FewBodySystem system = make_few_body_system(deck.few_bodies());
     const double energy = energy_at_start(system);
     const double disk = disk_bytes(deck, system);
     std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
@@ -39,7 +39,7 @@ Document few_body_check_report(const Deck& deck) {
                         system.dimensions == 1 ? "" : "s");
     text += fmt::format("  force     {}\n", system.force.plugin.name);
     text += fmt::format("  energy    {:.12g} at the start\n", energy);
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         text += fmt::format("  stage     '{}': {} steps of {:.6g} = {:.6g}, {}{}\n", stage.name, stage.steps,
                             stage.time_step, static_cast<double>(stage.steps) * stage.time_step, stage.integrator.name,
                             stage.reverse ? ", backwards" : "");
@@ -50,7 +50,7 @@ Document few_body_check_report(const Deck& deck) {
              {"dimensions", system.dimensions},
              {"force", system.force.plugin.name},
              {"total_energy", energy},
-             {"steps", total_steps(deck.stages)},
+             {"steps", total_steps(deck.stages())},
              {"disk_bytes", disk}},
             text};
 }

@@ -7,8 +7,8 @@
 
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/deck/few_body.hpp"
 #include "ljmd/deck/mistake_report.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 
 namespace ljmd {
 
@@ -19,12 +19,12 @@ std::string count(std::size_t components) {
 }
 
 /// The first body determines the dimension of the deck. @return nothing if vectors disagree or are invalid
-std::optional<int> check_dimensions(const std::vector<Placed<BodyTable>>& bodies, Diagnostics& diagnostics) {
+std::optional<int> check_dimensions(const std::vector<Placed<BodyStart>>& bodies, Diagnostics& diagnostics) {
     std::optional<std::size_t> dimensions;
     bool agree = true;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-        const Placed<BodyTable>& body = bodies[k];
-        for (const auto member : {&BodyTable::position, &BodyTable::velocity}) {
+        const Placed<BodyStart>& body = bodies[k];
+        for (const auto member : {&BodyStart::position, &BodyStart::velocity}) {
             if (!body.given(member)) {
                 agree = false;
                 continue;
@@ -36,7 +36,7 @@ std::optional<int> check_dimensions(const std::vector<Placed<BodyTable>>& bodies
                 agree = false;
                 diagnostics.error(body.location(member),
                                   fmt::format("'{}' of body {} has {}, but the deck began with {}",
-                                              Placed<BodyTable>::key(member), k + 1, count(components), *dimensions),
+                                              Placed<BodyStart>::key(member), k + 1, count(components), *dimensions),
                                   fmt::format("all vectors of this deck have {}", count(*dimensions)));
             }
         }
@@ -44,12 +44,12 @@ std::optional<int> check_dimensions(const std::vector<Placed<BodyTable>>& bodies
     return agree && dimensions ? std::optional(static_cast<int>(*dimensions)) : std::nullopt;
 }
 
-bool check_force_dimensions(const Placed<BodyTable>& first_body, const FewBodyForceMethod& force, int dimensions,
+bool check_force_dimensions(const Placed<BodyStart>& first_body, const FewBodyForceMethod& force, int dimensions,
                             Diagnostics& diagnostics) {
     if (dimensions >= force.min_dimensions && dimensions <= force.max_dimensions) {
         return true;
     }
-    diagnostics.error(first_body.location(&BodyTable::position),
+    diagnostics.error(first_body.location(&BodyStart::position),
                       fmt::format("'position' has {}, but force '{}' moves a coordinate of {}",
                                   count(static_cast<std::size_t>(dimensions)), force.name,
                                   count(static_cast<std::size_t>(force.max_dimensions))));
@@ -58,8 +58,8 @@ bool check_force_dimensions(const Placed<BodyTable>& first_body, const FewBodyFo
 
 /// Whether all values of the force and all masses are valid.
 bool is_sound(const FewBodyTables& tables) {
-    return tables.force.section().all_sound() && std::ranges::all_of(tables.bodies, [](const Placed<BodyTable>& body) {
-               return body.sound(&BodyTable::mass);
+    return tables.force.section().all_sound() && std::ranges::all_of(tables.bodies, [](const Placed<BodyStart>& body) {
+               return body.sound(&BodyStart::mass);
            });
 }
 
@@ -85,7 +85,7 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
                           fmt::format("'accelerations' in trajectory goes only with format = \"csv\", not \"{}\"",
                                       trajectory->format));
     }
-    const std::vector<Placed<BodyTable>>& bodies = tables.bodies;
+    const std::vector<Placed<BodyStart>>& bodies = tables.bodies;
     if (bodies.empty()) {
         return;
     }
@@ -98,9 +98,9 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
         return;
     }
     const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
-    const State start = few_body_start(bodies, *force.options);
+    const State start = few_body_start(std::vector<BodyStart>(bodies.begin(), bodies.end()), *force.options);
     if (const auto problem = force.options->check(start)) {
-        diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location(&BodyTable::position),
+        diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location(&BodyStart::position),
                           problem->message);
     }
     for (const Choice& analysis : tables.analysis.asked) {

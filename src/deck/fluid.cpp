@@ -6,6 +6,7 @@
 
 #include "ljmd/core/elementary.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -28,10 +29,6 @@ Start start_from_file(const SystemTable& system, const std::optional<SubstanceUn
         }
     }
     return {atoms, Box(edges), std::move(configuration)};
-}
-
-PairPotential potential_of(const Deck& deck) {
-    return deck.given.potential ? deck.given.potential->known() : pair_potential_of(deck.potential());
 }
 
 /// @throws DataError when the velocities that the deck asks for cannot be had
@@ -65,28 +62,28 @@ Start find_start(const Deck& deck) {
     if (!deck.system().file) {
         return {atoms_of(spec), box_of(spec), std::nullopt};
     }
-    Start start = start_from_file(deck.system(), deck.units);
+    Start start = start_from_file(deck.system(), deck.units());
     start.box = box_for_cutoff(start.box, spec.potential.cutoff().radius);
     return start;
 }
 
 SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box) {
-    return sampled_run(deck.stages, static_cast<std::uint64_t>(deck.system().seed), atoms, box);
+    return sampled_run(deck.stages(), std::get<FluidSpec>(deck.spec).seed, atoms, box);
 }
 
-FluidSpec fluid_spec(const Deck& deck) {
-    const SystemTable& system = deck.system();
+FluidSpec spec_of(const FluidTables& tables, const std::optional<SubstanceUnits>& units) {
+    const SystemTable& system = tables.system;
     FluidSpec spec{.start = system.start(),
                    .temperature = system.temperature,
                    .keep_velocities = !system.draws_velocities(),
                    .seed = static_cast<std::uint64_t>(system.seed),
-                   .potential = potential_of(deck),
-                   .tail = deck.potential().has_tail(),
-                   .neighbors = deck.neighbors(),
-                   .stages = deck.stages,
-                   .sample_every = deck.thermo_every,
-                   .analyses = deck.fluid().analysis.asked,
-                   .units = deck.units};
+                   .potential = pair_potential_of(tables.potential),
+                   .tail = tables.potential.has_tail(),
+                   .neighbors = tables.neighbors,
+                   .stages = stages_of(tables),
+                   .sample_every = tables.output.thermo.every,
+                   .analyses = tables.analysis.asked,
+                   .units = units};
     if (system.density) {
         spec.density = *system.density;
     }

@@ -75,7 +75,7 @@ double seconds_of_stages(const Deck& deck, const State& start, PairForceField& f
     std::map<std::string, double> seconds;  // per step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         const auto [trial, is_new] = seconds.try_emplace(stage.integrator.name);
         if (is_new) {
             State copy = start;
@@ -110,7 +110,7 @@ std::optional<double> seconds_of_analysis(const Choice& choice, const Deck& deck
     }
     try {
         const auto analysis = chosen.options->make(run);
-        const double samples = samples_of(*analysis, deck.stages);
+        const double samples = samples_of(*analysis, deck.stages());
         const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
         const auto began = std::chrono::steady_clock::now();
         std::chrono::duration<double> took{};
@@ -174,7 +174,7 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
                         edges[2], density_of(start));
     text += fmt::format("  cutoff    {:.6g} sigma, at most L/2 = {:.6g}\n", cutoff, 0.5 * start.box.shortest_edge());
     std::string at_most;  // with a stage that may end earlier
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         text += fmt::format("  stage     '{}': {}{} steps of {:.6g} tau = {:.6g} tau{}\n", stage.name,
                             stage.until.empty() ? "" : "at most ", stage.steps, stage.time_step,
                             static_cast<double>(stage.steps) * stage.time_step, stage.sample ? ", sampled" : "");
@@ -190,7 +190,7 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
              {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
              {"cutoff", cutoff},
              {"largest_cutoff", 0.5 * start.box.shortest_edge()},
-             {"steps", total_steps(deck.stages)},
+             {"steps", total_steps(deck.stages())},
              {"steps_are_most", !at_most.empty()},
              {"memory_bytes", forecast.memory_bytes},
              {"disk_bytes", forecast.disk_bytes},

@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-ThermoColumns thermo_columns(const Deck& deck, bool order_parameter, const ExternalForce* external) {
-    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
+ThermoColumns thermo_columns(const RunPlan& plan, bool order_parameter, const ExternalForce* external) {
+    const auto any = [&](const auto& wanted) { return std::ranges::any_of(plan.stages(), wanted); };
     return {{.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
              .edges = any([](const Stage& stage) {
                  return stage.barostat && find_barostat(stage.barostat->name).changes_shape;
@@ -16,11 +16,11 @@ ThermoColumns thermo_columns(const Deck& deck, bool order_parameter, const Exter
              .conserved_energy =
                  any([external](const Stage& stage) { return stage.thermostat && conserves_energy(stage, external); }),
              .order_parameter = order_parameter},
-            deck.units};
+            plan.units()};
 }
 
-TrajectoryColumns trajectory_columns(const Deck& deck, const FewBodySystem& system) {
-    return {system.state.count(), system.dimensions, deck.trajectory && deck.trajectory->accelerations,
+TrajectoryColumns trajectory_columns(const RunPlan& plan, const FewBodySystem& system) {
+    return {system.state.count(), system.dimensions, plan.trajectory && plan.trajectory->accelerations,
             system.force.plugin.has_polar_angle};
 }
 

@@ -12,7 +12,7 @@ namespace ljmd {
 
 void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     const bool box_changes = std::ranges::any_of(
-        deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
+        deck.stages(), [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
     if (box_changes || deck.given.potential || deck.potential().type != LennardJones::name) {
         return;
     }

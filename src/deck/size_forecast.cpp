@@ -72,7 +72,7 @@ double trajectory(const Deck& deck, const Start& start) {
     if (!deck.trajectory) {
         return 0.0;
     }
-    const Index frames = 1 + total_steps(deck.stages) / deck.trajectory->every;
+    const Index frames = 1 + total_steps(deck.stages()) / deck.trajectory->every;
     return trajectory_bytes(deck.trajectory->format, start.atoms, frames,
                             {.velocities = deck.trajectory->velocities,
                              .forces = deck.trajectory->forces,
@@ -87,9 +87,9 @@ SizeForecast forecast_size(const Deck& deck, const Start& start) {
     const double one_checkpoint = checkpoint(deck, start, analyzed);
     const double memory = program_itself + (atom_itself + search(deck, start)) * atoms + analyzed.kept +
                           analyzed.fixed + analyzed.passing;
-    const Index rows_after_start = total_steps(deck.stages) / deck.thermo_every;
+    const Index rows_after_start = total_steps(deck.stages()) / deck.sample_every();
     const double rows = 1.0 + static_cast<double>(rows_after_start);
-    const double disk = records + rows * (deck.units ? thermo_row_si : thermo_row) + trajectory(deck, start) +
+    const double disk = records + rows * (deck.units() ? thermo_row_si : thermo_row) + trajectory(deck, start) +
                         trajectory_bytes("xyz", start.atoms, 1, {.velocities = true}) +  // final.xyz
                         static_cast<double>(deck.checkpoint.keep) * one_checkpoint;
     return {memory, disk};

@@ -291,7 +291,7 @@ bool FluidMeasurement::has_enough(const Stage& stage) {
     return errors_reached_;
 }
 
-/// The errors that decided the length are known less well than those of a length that was chosen before, see
+/// The errors that decided the length are known less well than errors of a length that was chosen before, see
 /// stopped_estimate().
 void FluidMeasurement::widen_errors(RunResult& result) const {
     const Stage& stage = spec_.stages.back();

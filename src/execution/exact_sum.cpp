@@ -57,7 +57,7 @@ double ExactSum::value() const {
         --top;
     }
     // The three highest digits have at least 65 bits, of which 64 are kept. If others are not zero, the last one is
-    // set: then the conversion of the whole number to a double rounds as that of the sum would.
+    // set: then the conversion of the whole number to a double rounds as the whole sum's would.
     const auto digit = [&](std::size_t below) { return below <= top ? static_cast<Uint128>(digits[top - below]) : 0; };
     const Uint128 highest = digit(0) << 64 | digit(1) << 32 | digit(2);
     const auto upper = static_cast<std::uint64_t>(highest >> 64);

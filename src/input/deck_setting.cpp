@@ -21,8 +21,8 @@ constexpr std::size_t max_keys = 32;
 constexpr std::string_view setting_source = "--set ";
 constexpr std::string_view value_lead = "value = ";  // turns a value into TOML
 
-/// Move a value and its parts to the location of the setting, each with its own column. So the location of a key that
-/// is set differs from that of a default (see Section::written).
+/// Move a value and its parts to the location of the setting, each with its own column. So a key that is set has
+/// another location than a default (see Section::written).
 void relocate(Value& value, const Location& setting, int shift) {
     const auto place = [&](const Location& found) { return Location{setting.source, 0, found.column + shift}; };
     value.location = place(value.location);

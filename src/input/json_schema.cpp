@@ -86,7 +86,7 @@ void add_required(Data& json, const std::vector<Key>& keys) {
     }
 }
 
-/// The keys of one choice; those of other choices are excluded.
+/// The keys of one choice; other choices' keys are excluded.
 Data of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_cases) {
     Data json = Data::object();
     for (const std::string& name : of_all_cases) {

@@ -54,7 +54,7 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     });
 }
 
-/// Keeps state.time at that of the positions during a step, and gives it back afterwards.
+/// Keeps state.time at the time of the positions during a step, and gives it back afterwards.
 class TimeOfPositions {
   public:
     explicit TimeOfPositions(State& state) : state_(state), before_(state.time) {}

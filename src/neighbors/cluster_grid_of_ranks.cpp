@@ -82,7 +82,7 @@ void ClusterGrid::add_halo_of_tile(std::int32_t tile, double halo, std::vector<H
     }
     Cell cell{};
     for (cell[2] = first[2]; cell[2] <= first[2] + reach[2]; ++cell[2]) {
-        const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over that of the column
+        const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over the column's
         for (cell[1] = first[1] - reach[1]; cell[1] < first[1] + columns_per_tile_[1] + reach[1]; ++cell[1]) {
             for (cell[0] = first[0] - reach[0]; cell[0] < first[0] + columns_per_tile_[0] + reach[0]; ++cell[0]) {
                 const Seen seen = seen_from(first, cell, halo);
@@ -138,7 +138,7 @@ std::vector<ClusterGrid::HaloPart> ClusterGrid::force_parts() const {
     for (std::int32_t column = 0; column < own_column_count(); column += columns_per_tile()) {
         const Cell first = cell_of(column);
         for (cell[2] = first[2]; cell[2] <= first[2] + reach_[2]; ++cell[2]) {
-            const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over that of the column
+            const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over the column's
             for (cell[1] = first[1] - reach_[1]; cell[1] < first[1] + columns_per_tile_[1] + reach_[1]; ++cell[1]) {
                 for (cell[0] = first[0] - reach_[0]; cell[0] < first[0] + columns_per_tile_[0] + reach_[0]; ++cell[0]) {
                     const Seen seen = seen_from(first, cell, range_);

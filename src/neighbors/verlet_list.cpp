@@ -281,7 +281,7 @@ void VerletList::measure_work(const Execution& execution) {
     std::vector<std::int64_t> work;
     std::vector<bool> needs_halo;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        // An atom makes work by itself, about that of ten entries.
+        // An atom makes work by itself, about as much as ten entries.
         const AtomRange atoms = grid_.atoms_of_tile(static_cast<Index>(t));
         work.push_back(1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count());
         work_before_.push_back(work_before_.back() + work.back());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto points = static_cast<int>(PairTable::degree + 1);
 
-/// In extended precision where there is one: then rounding of the polynomials is that of their energies.
+/// In extended precision where there is one: then the polynomials round no worse than their energies.
 using Matrix = Eigen::Matrix<long double, points, points>;
 using Vector = Eigen::Matrix<long double, points, 1>;
 

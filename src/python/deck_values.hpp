@@ -7,7 +7,7 @@
 
 namespace ljmd::python {
 
-// Values of Python as those of a deck: NumPy's numbers and arrays, paths and tuples count as what they hold, and a key
+// Values of Python as a deck's values: NumPy's numbers and arrays, paths and tuples count as what they hold, and a key
 // of a table whose value is None is not there. They throw InputError for a type that no deck holds, numbers that are
 // masked or too large, and lists and tables that are deeper within one another than a deck may be.
 

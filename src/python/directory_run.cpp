@@ -99,7 +99,7 @@ void resume(const std::filesystem::path& directory, Index steps, int threads, st
         }
         const CheckpointHead& from = held.checkpoint();
         AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution(), external);
-        run_deck(held.deck(), system, attention,
+        run_plan(held.deck(), system, attention,
                  {.interruption = attention.interruption(walltime),
                   .continuation = held.take(),
                   .observers = observers.all()});

@@ -41,7 +41,7 @@ class PythonEvaluator {
     PythonEvaluator(const PairPotential& potential, bool tail, double skin, const ExecutionOptions& options)
         : potential_(potential), evaluator_(potential, tail, {.skin = skin}, Execution(options)) {}
 
-    /// @param energies  whether those of the atoms are wanted; else they are None
+    /// @param energies  whether the atoms' energies are wanted; else they are None
     [[nodiscard]] py::tuple evaluate(const Vectors& positions, const std::array<double, 3>& edges, bool energies) {
         if (positions.ndim() != 2 || positions.shape(1) != 3) {
             throw InputError("positions: an array of shape (N, 3)");

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/few_body.hpp"
 #include "ljmd/deck/history_columns.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/engine/time_loop.hpp"
 #include "ljmd/run/results.hpp"
@@ -56,9 +56,9 @@ class FewBodyRun : public MemoryRun {
   public:
     explicit FewBodyRun(const Deck& deck)
         : deck_(deck),
-          system_(make_few_body_system(deck)),
+          system_(make_few_body_system(deck.few_bodies())),
           rows_(deck, system_),
-          measurement_(deck_.stages, deck_.thermo_every, system_, rows_) {}
+          measurement_(deck_.stages(), deck_.sample_every(), system_, rows_) {}
 
     void advance(Index steps) override {
         if (failed_) {
@@ -70,7 +70,7 @@ class FewBodyRun : public MemoryRun {
         failed_ = true;  // unless this comes to its end
         const auto until = steps < steps_left() ? std::optional(system_.state.step + steps) : std::nullopt;
         try {
-            position_ = run_stages(deck_.stages, system_.state, *system_.force_field, measurement_, position_,
+            position_ = run_stages(deck_.stages(), system_.state, *system_.force_field, measurement_, position_,
                                    std::nullopt, until);
             if (finished()) {
                 measurement_.record_end();
@@ -82,9 +82,9 @@ class FewBodyRun : public MemoryRun {
         failed_ = false;
     }
 
-    [[nodiscard]] bool finished() const override { return position_ && position_->stage == deck_.stages.size(); }
+    [[nodiscard]] bool finished() const override { return position_ && position_->stage == deck_.stages().size(); }
     [[nodiscard]] const State& state() const override { return system_.state; }
-    [[nodiscard]] const std::vector<Stage>& stages() const override { return deck_.stages; }
+    [[nodiscard]] const std::vector<Stage>& stages() const override { return deck_.stages(); }
 
     [[nodiscard]] Data now() const override {
         State copy = state();

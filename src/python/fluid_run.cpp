@@ -45,7 +45,7 @@ class FluidRun : public MemoryRun {
     [[nodiscard]] std::vector<DataTable> tables() const override {
         std::vector<DataTable> tables;
         for (const DataTable& table : simulation_.result().tables) {
-            tables.push_back(with_si_columns(table, deck_.units));
+            tables.push_back(with_si_columns(table, deck_.units()));
         }
         return tables;
     }

@@ -73,10 +73,10 @@ std::string text_of_file(const std::filesystem::path& path) {
 
 /// sigma [angstrom], epsilon [eV] and mass [u] of a deck's substance; None: it has none.
 py::object substance_of(const LoadedDeck& loaded) {
-    if (!loaded.deck.units) {
+    if (!loaded.deck.units()) {
         return py::none();
     }
-    const SubstanceUnits& units = *loaded.deck.units;
+    const SubstanceUnits& units = *loaded.deck.units();
     constexpr double angstrom_per_nanometre = 10.0;
     constexpr double electron_volt = 1.602176634e-19;  // [J], exact
     return py::make_tuple(angstrom_per_nanometre * units.nanometre(), units.si(Dimension::energy) / electron_volt,
@@ -114,7 +114,7 @@ void bind_decks(py::module_& module) {
     py::class_<LoadedDeck>(module, "Deck", "A deck that was read without errors.")
         .def_property_readonly("kind", [](const LoadedDeck& d) { return kind_name(d.deck); })
         .def_property_readonly("title", [](const LoadedDeck& d) { return python_text(d.deck.title); })
-        .def_property_readonly("total_steps", [](const LoadedDeck& d) { return total_steps(d.deck.stages); })
+        .def_property_readonly("total_steps", [](const LoadedDeck& d) { return total_steps(d.deck.stages()); })
         .def_property_readonly("directory", [](const LoadedDeck& d) { return python_text(d.deck.directory.string()); });
     module.def("substance", &substance_of, py::arg("deck"));
     module.def("read_file", &text_of_file, py::arg("path"));

@@ -84,7 +84,7 @@ void bind_equations(py::module_& module) {
         py::arg("model"), py::arg("pressure"));
 }
 
-/// Refuse other interpreters than the main one: pybind11's locks, also those of its exceptions, know that one alone,
+/// Refuse other interpreters than the main one: pybind11's locks, its exceptions' too, know that one alone,
 /// and wait for ever. So this is a function of Python's own interface. @return null with ImportError set
 PyObject* require_main_interpreter(PyObject* /*module*/ = nullptr, PyObject* /*arguments*/ = nullptr) {
     if (PyInterpreterState_Get() == PyInterpreterState_Main()) {

@@ -218,7 +218,7 @@ py::object edges(const State& state) {
     return state.has_box() ? py::object(to_python(Vec3(state.box().edges()))) : py::none();
 }
 
-/// Number of the present stage; that of the last one at the end.
+/// Number of the present stage; at the end, of the last one.
 std::string stage_name(const MemoryRun& run) {
     Index end = 0;
     for (const Stage& stage : run.stages()) {

@@ -77,7 +77,7 @@ Data state_data(const EquationOfState& equation, const FluidProperties& state) {
     return data;
 }
 
-/// Data of both phases, without those of the equation.
+/// Data of both phases, without the equation's own.
 Data coexistence_data(const EquationOfState& equation, const Coexistence& phases) {
     const std::string outside = outside_of_range(equation, phases.liquid);
     return {{"temperature", phases.liquid.temperature},

@@ -17,7 +17,7 @@ struct SaturatedDensities {
 /// The densities of coexistence just below the critical temperature. There pressures at the spinodals differ by
 /// (T_c - T)^(3/2), which rounding hides, but slopes dp/drho, of the order T_c - T, keep their digits. So the two
 /// conditions, equal pressure and equal chemical potential with d(mu) = dp/rho, are written as integrals of the slope
-/// over the densities rho = m + d t between those of vapour (t = -1) and liquid (t = 1):
+/// over the densities rho = m + d t from vapour (t = -1) to liquid (t = 1):
 ///
 ///     integral of p'(rho) dt = 0,    integral of p'(rho) t/rho dt = 0    (by the first, as 1/rho = 1/m - d t/(m rho))
 ///

@@ -38,8 +38,8 @@ double denser_than(const EquationOfState& equation, double temperature, double p
 }
 
 /// The vapour pressure; none where the equation has no coexistence, because it is too cold. It is a smooth function of
-/// the temperature up to the critical one, and that of the critical isochore but for terms of (T_c - T)^2. These drown
-/// in rounding where the phases cannot be told apart either.
+/// the temperature up to the critical one, and equals the pressure of the critical isochore but for terms of (T_c -
+/// T)^2. These drown in rounding where the phases cannot be told apart either.
 std::optional<double> vapour_pressure(const EquationOfState& equation, const CriticalPoint& critical,
                                       double temperature) {
     constexpr double nearly = 1.0 - 1e-10;

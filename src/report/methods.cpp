@@ -17,7 +17,7 @@ std::string number(double value) {
 
 std::string stages_in_words(const Deck& deck) {
     std::string words;
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         words += fmt::format(" Stage '{}': {}{} steps of {} with {}", stage.name,
                              stage.until.empty() ? "" : "until errors were reached, at most ", stage.steps,
                              number(stage.time_step), stage.integrator.name);
@@ -51,10 +51,10 @@ std::string fluid_in_words(const RunFacts& facts, const Deck& deck) {
 }
 
 std::string bodies_in_words(const Deck& deck) {
-    const FewBodyTables& tables = deck.few_body();
+    const FewBodySpec& spec = deck.few_bodies();
     return fmt::format("The motion of {} {} under the force {} was integrated, in the units of the deck.{}",
-                       tables.bodies.size(), tables.bodies.size() == 1 ? "body" : "bodies",
-                       deck.few_body().force.method.name, stages_in_words(deck));
+                       spec.bodies.size(), spec.bodies.size() == 1 ? "body" : "bodies", spec.force.name,
+                       stages_in_words(deck));
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::string bodies_in_words(const Deck& deck) {
 std::string methods_paragraph(const RunFacts& facts) {
     std::string words;
     if (const Deck* deck = facts.deck()) {
-        words = (deck->kind() == DeckKind::fluid ? fluid_in_words(facts, *deck) : bodies_in_words(*deck)) + " ";
+        words = (deck->is_fluid() ? fluid_in_words(facts, *deck) : bodies_in_words(*deck)) + " ";
     }
     return fmt::format("{}Computed with ljmd {} (commit {}; {} precision).", words, text_in(facts.record, {"version"}),
                        text_in(facts.record, {"commit"}).substr(0, 12), text_in(facts.record, {"precision"}));

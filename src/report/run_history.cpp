@@ -21,7 +21,7 @@ constexpr std::array<const char*, 3> judged{"temperature", "potential_energy", "
 /// The rows of the sampled stages; all if the deck cannot be read.
 DataTable sampled_rows(DataTable table, const RunFacts& facts, const std::filesystem::path& path) {
     if (const Deck* deck = facts.deck()) {
-        const SampledSteps sampled(deck->stages);
+        const SampledSteps sampled(deck->stages());
         const std::vector<Index> steps = step_column(table, path);
         std::size_t row = 0;
         std::erase_if(table.rows, [&](const auto&) { return !sampled.contain(steps[row++]); });
@@ -76,9 +76,9 @@ std::vector<Mark> stage_rules(const RunFacts& facts) {
     std::vector<Mark> marks;
     if (const Deck* deck = facts.deck()) {
         double time = 0.0;
-        for (std::size_t k = 0; k + 1 < deck->stages.size(); ++k) {
-            time += static_cast<double>(deck->stages[k].steps) * deck->stages[k].time_step;
-            marks.push_back({.type = "rule-x", .label = deck->stages[k + 1].name, .value = time, .colour = 7});
+        for (std::size_t k = 0; k + 1 < deck->stages().size(); ++k) {
+            time += static_cast<double>(deck->stages()[k].steps) * deck->stages()[k].time_step;
+            marks.push_back({.type = "rule-x", .label = deck->stages()[k + 1].name, .value = time, .colour = 7});
         }
     }
     return marks;

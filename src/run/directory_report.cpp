@@ -36,12 +36,12 @@ struct Contents {
 
     /// Whether the last stage may end before its last step.
     [[nodiscard]] bool length_is_open() const {
-        return !run.finished && !run.earlier.last_stage_steps && !run.deck.stages.back().until.empty() &&
+        return !run.finished && !run.earlier.last_stage_steps && !run.deck.stages().back().until.empty() &&
                !(continuation && continuation->head.position.enough);
     }
 
     [[nodiscard]] Index steps() const {
-        return continuation ? steps_of_run(run, continuation->head) : total_steps(run.deck.stages);
+        return continuation ? steps_of_run(run, continuation->head) : total_steps(run.deck.stages());
     }
     [[nodiscard]] Index steps_of_stage() const {
         const LoopPosition& position = continuation->head.position;
@@ -49,7 +49,7 @@ struct Contents {
     }
 
     /// The stage that the checkpoint is in.
-    [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(continuation->head.position.stage); }
+    [[nodiscard]] const Stage& stage() const { return run.deck.stages().at(continuation->head.position.stage); }
 };
 
 Contents contents_of(const fs::path& directory) {

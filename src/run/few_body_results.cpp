@@ -34,8 +34,8 @@ Data finding_data(const Finding& finding) {
 
 }  // namespace
 
-Document results_report(const Deck& deck, const FewBodyResult& result) {
-    std::string text = fmt::format("{}\n{} {} in {} dimension{}, force {}\n\n", title_line(deck), result.bodies,
+Document results_report(const RunPlan& plan, const FewBodyResult& result) {
+    std::string text = fmt::format("{}\n{} {} in {} dimension{}, force {}\n\n", title_line(plan), result.bodies,
                                    result.bodies == 1 ? "body" : "bodies", result.dimensions,
                                    result.dimensions == 1 ? "" : "s", result.force);
     Data observables = Data::object();
@@ -61,12 +61,12 @@ Document results_report(const Deck& deck, const FewBodyResult& result) {
         text += fmt::format("\n  {}\n{}{}", analysis, findings.text_within(screen_columns), footnotes.text());
     }
     text += '\n' + stage_lines(result.stages, "per unit of time");
-    text += fmt::format("\nfiles: {}\n", deck.directory.string());
+    text += fmt::format("\nfiles: {}\n", plan.directory.string());
     Data stages = Data::list();
     for (const StageResult& stage : result.stages) {
         stages.push_back(stage_data(stage));
     }
-    return {{{"title", deck.title},
+    return {{{"title", plan.title},
              {"system",
               {{"kind", "few-body"},
                {"bodies", result.bodies},

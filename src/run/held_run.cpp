@@ -22,7 +22,7 @@ std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const R
 
 ExecutionOptions options_of(const RecordedRun& run, int threads, const std::shared_ptr<Ranks>& ranks) {
     const std::string level =
-        run.simd.empty() ? "" : std::string(name(level_with_digits_of(run.simd, precision_of(run.deck))));
+        run.simd.empty() ? "" : std::string(name(level_with_digits_of(run.simd, run.deck.precision)));
     ExecutionOptions options = execution_options(run.deck, threads > 0 ? threads : run.threads, level);
     options.ranks = ranks;
     return options;

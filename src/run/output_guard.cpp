@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Upper bound of the length of our file names, including those of growing files (ReplacementFile).
+/// Upper bound of the length of our file names, including names of growing files (ReplacementFile).
 constexpr std::size_t longest_name = 64;
 
 std::string with_choices(const std::string& why, const OutputRefused::Choices& choices, bool for_commands) {

@@ -142,13 +142,13 @@ RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     Deck deck = accepted_deck(record, directory);
     deck.path = record.deck_file;
     deck.directory = directory;
-    const Index room = max_steps - total_steps(deck.stages) - record.earlier.steps_added;
+    const Index room = max_steps - total_steps(deck.stages()) - record.earlier.steps_added;
     if (more_steps > room) {
         throw InputError(
             fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));
     }
     record.earlier.steps_added += more_steps;
-    Stage& last = deck.stages.back();
+    Stage& last = deck.stages().back();
     if (auto& steps = record.earlier.last_stage_steps) {
         *steps = std::min(*steps + more_steps, max_steps);
         last.steps = *steps;
@@ -168,7 +168,7 @@ void continue_past_errors(RecordedRun& run, Continuation& continuation, Index mo
         if (more_steps == 0) {
             return;
         }
-        Stage& last = run.deck.stages.back();
+        Stage& last = run.deck.stages().back();
         last.steps = position.steps + more_steps;
         run.earlier.last_stage_steps = last.steps;
         continuation.earlier.last_stage_steps = last.steps;
@@ -177,7 +177,7 @@ void continue_past_errors(RecordedRun& run, Continuation& continuation, Index mo
 }
 
 Index steps_of_run(const RecordedRun& run, const CheckpointHead& head) {
-    return head.position.enough && !run.earlier.last_stage_steps ? head.step : total_steps(run.deck.stages);
+    return head.position.enough && !run.earlier.last_stage_steps ? head.step : total_steps(run.deck.stages());
 }
 
 State last_configuration(const fs::path& directory, const Deck& deck) {
@@ -185,7 +185,7 @@ State last_configuration(const fs::path& directory, const Deck& deck) {
     if (!input_is_there(path)) {
         throw DataError(fmt::format("{} has no final.xyz: the run has not come to its end", directory.string()));
     }
-    const Configuration configuration = read_configuration(path, deck.units);
+    const Configuration configuration = read_configuration(path, deck.units());
     if (!configuration.step || !configuration.time) {
         throw DataError(
             fmt::format("{} has no step or no time: it is not the file that ljmd wrote there", path.string()));

@@ -179,37 +179,37 @@ std::string samples_footnote() {
     return "  * independent samples: variance of the series over the squared error\n";
 }
 
-Document results_report(const Deck& deck, const RunResult& result) {
+Document results_report(const RunPlan& plan, const RunResult& result) {
     Data system = {{"atoms", result.atoms},
                    {"density", result.density},
                    {"box_edges", Data::list({result.edges[0], result.edges[1], result.edges[2]})}};
     std::string line = fmt::format("{} atoms, density {:.6g} sigma^-3", result.atoms, result.density);
-    if (deck.units) {
-        const double density = result.density * deck.units->gram_per_cm3();
+    if (plan.units()) {
+        const double density = result.density * plan.units()->gram_per_cm3();
         system["density_g_per_cm3"] = density;
         line += fmt::format(" ({:.4f} g/cm3)", density);
     }
     const std::string box =
         fmt::format("box {:.6g} x {:.6g} x {:.6g} sigma^3", result.edges[0], result.edges[1], result.edges[2]);
     const bool fits = line.size() + box.size() + 2 <= screen_columns;
-    std::string text = fmt::format("{}\n{},{}{}\n\n", title_line(deck), line, fits ? ' ' : '\n', box);
-    text += observables_table(result.averages, deck.units);
-    text += at_requested_lines(result.at_requested, deck.units);
+    std::string text = fmt::format("{}\n{},{}{}\n\n", title_line(plan), line, fits ? ' ' : '\n', box);
+    text += observables_table(result.averages, plan.units());
+    text += at_requested_lines(result.at_requested, plan.units());
     text += stage_lines(result.stages, "epsilon per atom and tau");
     text += samples_footnote();
     for (const std::string& doubt : result.doubts) {
         text += wrapped("  warning: " + doubt, screen_columns, 4) + '\n';
     }
-    text += fmt::format("\nfiles: {}\n", deck.directory.string());
+    text += fmt::format("\nfiles: {}\n", plan.directory.string());
     Data stages = Data::list();
     for (const StageResult& stage : result.stages) {
         stages.push_back(stage_data(stage));
     }
-    return {{{"title", deck.title},
+    return {{{"title", plan.title},
              {"system", system},
-             {"observables", observables_data(result.averages, deck.units)},
+             {"observables", observables_data(result.averages, plan.units())},
              {"asked_temperature", result.requested_temperature},
-             {"at_asked_temperature", at_requested_data(result.at_requested, deck.units)},
+             {"at_asked_temperature", at_requested_data(result.at_requested, plan.units())},
              {"equation_of_state", result.equation_of_state},
              {"translational_order_at_sampling", result.order_at_sampling},
              {"stages", stages},

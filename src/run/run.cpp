@@ -15,13 +15,13 @@ namespace {
 
 /// Call `work`, and save the configuration if the run fails.
 template <class Work>
-auto saving_failure(const Deck& deck, State& state, const Work& work) {
+auto saving_failure(const RunPlan& plan, State& state, const Work& work) {
     try {
         return work();
     } catch (const PhysicsError& error) {
         state.finish_kick();
         std::string saved;
-        look_by_id(state, [&] { saved = save_failure(deck, state); });
+        look_by_id(state, [&] { saved = save_failure(plan, state); });
         throw PhysicsError(error.what() + saved);
     }
 }
@@ -33,20 +33,20 @@ std::optional<UntilEnd> until_end(const RunResult& result) {
 
 }  // namespace
 
-RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
-    FluidSpec spec = fluid_spec(deck);
+RunResult run_plan(const RunPlan& plan, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
+    FluidSpec spec = fluid_spec(plan);
     spec.external = fluid.force_field.external();
     // Of several ranks, rank 0 has the files.
     Ranks& ranks = fluid.state.execution().ranks();
     std::optional<DirectoryOutputs> directory;
     if (ranks.is_root()) {
-        directory.emplace(deck, listener, control);
+        directory.emplace(plan, listener, control);
     }
-    SharedOutputs outputs(deck, ranks, directory ? &*directory : nullptr);
+    SharedOutputs outputs(plan, ranks, directory ? &*directory : nullptr);
     FluidMeasurement measurement(spec, fluid, outputs, control.observers);
-    const auto from = restored(deck, control.continuation, measurement, fluid.state);
+    const auto from = restored(plan, control.continuation, measurement, fluid.state);
     look_by_id(fluid.state, [&] { directory->begin(fluid, from); });
-    const LoopPosition end = saving_failure(deck, fluid.state, [&] {
+    const LoopPosition end = saving_failure(plan, fluid.state, [&] {
         return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());
     });
     RunResult result = measurement.result(end.seconds);
@@ -54,7 +54,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
         listener.doubted(warning);
     }
     look_by_id(fluid.state, [&] {
-        directory->files().finish(fluid.state, {.report = results_report(deck, result),
+        directory->files().finish(fluid.state, {.report = results_report(plan, result),
                                                 .tables = result.tables,
                                                 .seconds = result.seconds.sum(),
                                                 .phases = result.seconds,
@@ -63,32 +63,32 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     return result;
 }
 
-FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control) {
-    DirectoryOutputs outputs(deck, listener, control);
-    FewBodyMeasurement measurement(deck.stages, deck.thermo_every, system, outputs);
-    const auto from = restored(deck, control.continuation, measurement, system.state);
+FewBodyResult run_plan(const RunPlan& plan, FewBodySystem& system, RunListener& listener, const RunControl& control) {
+    DirectoryOutputs outputs(plan, listener, control);
+    FewBodyMeasurement measurement(plan.stages(), plan.sample_every(), system, outputs);
+    const auto from = restored(plan, control.continuation, measurement, system.state);
     outputs.begin(system, from);
-    const LoopPosition end = saving_failure(deck, system.state, [&] {
-        const LoopPosition last = run_stages(deck.stages, system.state, *system.force_field, measurement, from);
+    const LoopPosition end = saving_failure(plan, system.state, [&] {
+        const LoopPosition last = run_stages(plan.stages(), system.state, *system.force_field, measurement, from);
         measurement.record_end();
         return last;
     });
     FewBodyResult result = measurement.result(end.seconds);
     outputs.files().finish(
-        system.state, {.report = results_report(deck, result), .tables = result.tables, .seconds = result.seconds});
+        system.state, {.report = results_report(plan, result), .tables = result.tables, .seconds = result.seconds});
     return result;
 }
 
-Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control) {
-    return std::visit([&](auto& each) { return results_report(deck, run_deck(deck, each, listener, control)); },
+Document run_plan(const RunPlan& plan, AnySystem& system, RunListener& listener, const RunControl& control) {
+    return std::visit([&](auto& each) { return results_report(plan, run_plan(plan, each, listener, control)); },
                       system);
 }
 
-Document run_in_locked_directory(Deck& deck, AnySystem& system, bool replace, RunListener& listener,
+Document run_in_locked_directory(RunPlan& plan, AnySystem& system, bool replace, RunListener& listener,
                                  RunControl control) {
-    RunLock lock(deck, replace, [&listener](const std::string& text) { listener.warning(text); });
+    RunLock lock(plan, replace, [&listener](const std::string& text) { listener.warning(text); });
     control.has_begun = [&lock] { lock.has_begun(); };
-    Document report = lock.run([&] { return run_deck(deck, system, listener, control); });
+    Document report = lock.run([&] { return run_plan(plan, system, listener, control); });
     lock.warn_if_moved();
     return report;
 }

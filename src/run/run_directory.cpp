@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system,
+std::optional<TrajectoryCsv> open_csv(const RunPlan& plan, const FewBodySystem& system,
                                       const std::optional<Continuation>& continuation) {
-    if (!deck.trajectory || deck.trajectory->format != "csv") {
+    if (!plan.trajectory || plan.trajectory->format != "csv") {
         return std::nullopt;
     }
     const auto frames = kept(continuation, &CommittedOutputs::trajectory);
-    return TrajectoryCsv(deck.outputs() / "trajectory.csv", trajectory_columns(deck, system),
+    return TrajectoryCsv(plan.outputs() / "trajectory.csv", trajectory_columns(plan, system),
                          frames ? std::optional(frames->bytes) : std::nullopt);
 }
 
@@ -76,8 +76,8 @@ std::vector<std::string> run_output_names() {
     return names;
 }
 
-void check_directory(const Deck& deck, bool force) {
-    const fs::path& directory = deck.directory;
+void check_directory(const RunPlan& plan, bool force) {
+    const fs::path& directory = plan.directory;
     const std::vector<fs::path> old = existing_outputs(directory, run_output_names(), "Nothing was run");
     if (!old.empty() && !force) {
         const std::vector<std::string> checkpoints = checkpoint_names();
@@ -100,16 +100,13 @@ void check_directory(const Deck& deck, bool force) {
                                         old.front().filename().string()),
                             choices);
     }
-    require_no_input(deck, old, "Nothing was run");
+    require_no_input(plan, old, "Nothing was run");
 }
 
-void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, const std::string& consequence) {
-    if (deck.start_at_hand) {
-        return;
-    }
-    std::vector<fs::path> inputs{deck.path};
-    if (const auto start = start_file(deck)) {
-        inputs.push_back(*start);
+void require_no_input(const RunPlan& plan, const std::vector<fs::path>& outputs, const std::string& consequence) {
+    std::vector<fs::path> inputs{plan.path};
+    if (plan.start_file) {
+        inputs.push_back(*plan.start_file);
     }
     for (const fs::path& input : inputs) {
         for (const fs::path& output : outputs) {
@@ -140,32 +137,33 @@ void prepare_directory(const fs::path& directory) {
     }
 }
 
-void check_outputs(const Deck& deck, const Continuation& continuation) {
+void check_outputs(const RunPlan& plan, const Continuation& continuation) {
     const CommittedOutputs& outputs = continuation.head.outputs;
-    require_bytes(deck.outputs() / "thermo.csv", outputs.thermo);
-    if (deck.trajectory) {
-        require_bytes(deck.outputs() / fmt::format("trajectory.{}", deck.trajectory->format), outputs.trajectory.bytes);
+    require_bytes(plan.outputs() / "thermo.csv", outputs.thermo);
+    if (plan.trajectory) {
+        require_bytes(plan.outputs() / fmt::format("trajectory.{}", plan.trajectory->format), outputs.trajectory.bytes);
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation)
-    : deck_(deck),
-      energies_of_(deck.trajectory && deck.trajectory->energies ? std::optional(fluid.force_field.potential())
-                                                                : std::nullopt),
-      trajectory_(open_trajectory(deck, fluid.state, continuation)),
-      thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
-              thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
-              kept(continuation, &CommittedOutputs::thermo)),
-      record_(deck, fluid.state.execution(), continuation) {}
-
-RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,
+RunDirectory::RunDirectory(const RunPlan& plan, const FluidSystem& fluid,
                            const std::optional<Continuation>& continuation)
-    : deck_(deck),
-      csv_(open_csv(deck, system, continuation)),
-      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, continuation)),
-      thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
+    : plan_(plan),
+      energies_of_(plan.trajectory && plan.trajectory->energies ? std::optional(fluid.force_field.potential())
+                                                                : std::nullopt),
+      trajectory_(open_trajectory(plan, fluid.state, continuation)),
+      thermo_(std::in_place_type<ThermoCsv>, plan.outputs() / "thermo.csv",
+              thermo_columns(plan, fluid.order.has_value(), fluid.force_field.external().get()),
               kept(continuation, &CommittedOutputs::thermo)),
-      record_(deck, system.state.execution(), continuation) {}
+      record_(plan, fluid.state.execution(), continuation) {}
+
+RunDirectory::RunDirectory(const RunPlan& plan, const FewBodySystem& system,
+                           const std::optional<Continuation>& continuation)
+    : plan_(plan),
+      csv_(open_csv(plan, system, continuation)),
+      trajectory_(csv_ ? nullptr : open_trajectory(plan, system.state, continuation)),
+      thermo_(std::in_place_type<FewBodyThermoCsv>, plan.outputs() / "thermo.csv", system.dimensions,
+              kept(continuation, &CommittedOutputs::thermo)),
+      record_(plan, system.state.execution(), continuation) {}
 
 CommittedOutputs RunDirectory::commit() {
     const std::int64_t rows = std::visit([](auto& thermo) { return thermo.commit(); }, thermo_);
@@ -206,7 +204,7 @@ void RunDirectory::write_frame(const State& state, const std::optional<double>& 
 }
 
 bool RunDirectory::frame_is_due(const State& state) const {
-    return deck_.trajectory && state.step % deck_.trajectory->every == 0;
+    return plan_.trajectory && state.step % plan_.trajectory->every == 0;
 }
 
 void RunDirectory::finish(const State& state, const FinalOutputs& outputs) {
@@ -217,12 +215,12 @@ void RunDirectory::finish(const State& state, const FinalOutputs& outputs) {
     if (trajectory_) {
         trajectory_->close();
     }
-    write_configuration(deck_.outputs() / "final.xyz", state, true);
+    write_configuration(plan_.outputs() / "final.xyz", state, true);
     for (const DataTable& table : outputs.tables) {
-        write_file_atomically(deck_.outputs() / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
+        write_file_atomically(plan_.outputs() / (table.name + ".csv"), to_csv(with_si_columns(table, plan_.units())));
     }
-    write_file_atomically(deck_.outputs() / "results.json", to_json(outputs.report.data) + "\n");
-    write_file_atomically(deck_.outputs() / "results.txt", outputs.report.text);
+    write_file_atomically(plan_.outputs() / "results.json", to_json(outputs.report.data) + "\n");
+    write_file_atomically(plan_.outputs() / "results.txt", outputs.report.text);
     record_.finish(outputs.seconds, outputs.phases, outputs.until);
 }
 

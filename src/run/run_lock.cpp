@@ -25,11 +25,11 @@ RunLock::RunLock(const std::filesystem::path& directory, Warn warn) : lock_(dire
     }
 }
 
-RunLock::RunLock(Deck& deck, bool force, Warn warn) : RunLock(made(deck.directory), std::move(warn)) {
-    check_directory(deck, force);  // again, because another run may have finished in it since
+RunLock::RunLock(RunPlan& plan, bool force, Warn warn) : RunLock(made(plan.directory), std::move(warn)) {
+    check_directory(plan, force);  // again, because another run may have finished in it since
     directory().require_at_its_path();
     earlier_.emplace(directory(), run_output_names());
-    deck.locked = directory();
+    plan.locked = directory();
 }
 
 RunLock::~RunLock() {

@@ -42,64 +42,63 @@ std::string user() {
 
 }  // namespace
 
-std::string deck_hash(const Deck& deck) {
-    std::string text = deck.source;
-    for (const std::string& setting : deck.settings) {
+std::string deck_hash(const RunPlan& plan) {
+    std::string text = plan.source;
+    for (const std::string& setting : plan.settings) {
         text += '\n' + setting;
     }
-    if (deck.given.potential) {
-        text += '\n' + deck.given.potential->checksum;
+    if (plan.given.potential) {
+        text += '\n' + plan.given.potential->checksum;
     }
     return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
+std::unique_ptr<TrajectoryWriter> open_trajectory(const RunPlan& plan, const State& first,
                                                   const std::optional<Continuation>& continuation) {
-    if (!deck.trajectory) {
+    if (!plan.trajectory) {
         return nullptr;
     }
-    const std::string& format = deck.trajectory->format;
+    const std::string& format = plan.trajectory->format;
     return make_trajectory_writer(format, first,
-                                  {.path = deck.outputs() / fmt::format("trajectory.{}", format),
-                                   .velocities = deck.trajectory->velocities,
-                                   .forces = deck.trajectory->forces,
-                                   .energies = deck.trajectory->energies,
-                                   .si = deck.trajectory->si() ? deck.units : std::nullopt,
+                                  {.path = plan.outputs() / fmt::format("trajectory.{}", format),
+                                   .velocities = plan.trajectory->velocities,
+                                   .forces = plan.trajectory->forces,
+                                   .energies = plan.trajectory->energies,
+                                   .si = plan.trajectory->si() ? plan.units() : std::nullopt,
                                    .creator_version = build_info().version,
                                    .author = user(),
-                                   .title = deck.title,
+                                   .title = plan.title,
                                    .kept = kept(continuation, &CommittedOutputs::trajectory)});
 }
 
-std::string save_failure(const Deck& deck, const State& state) {
+std::string save_failure(const RunPlan& plan, const State& state) {
     const std::string name = "failed.xyz";
     try {
-        write_configuration(deck.outputs() / name, state, true);
+        write_configuration(plan.outputs() / name, state, true);
     } catch (const FileError&) {
         return {};
     }
-    return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
+    return fmt::format("\n  the configuration is in {}", (plan.directory / name).string());
 }
 
 /// By which rule the digits are made; null where a function of the calling program takes part, or GSL, whose last
-/// digits are those of its compiler.
-Data digits_of(const Deck& deck, const Execution& execution) {
+/// digits depend on its compiler.
+Data digits_of(const RunPlan& plan, const Execution& execution) {
     const bool by_gsl = std::ranges::any_of(
-        deck.stages, [](const Stage& stage) { return find_integrator(stage.integrator.name).adaptive; });
-    if (by_gsl || deck.given.potential || !deck.given.external.empty()) {
+        plan.stages(), [](const Stage& stage) { return find_integrator(stage.integrator.name).adaptive; });
+    if (by_gsl || plan.given.potential || !plan.given.external.empty()) {
         return nullptr;
     }
-    return digits_rule(deck.kind() == DeckKind::few_body ? SimdLevel::portable : execution.simd(),
-                       execution.precision());
+    return digits_rule(!plan.is_fluid() ? SimdLevel::portable : execution.simd(), execution.precision());
 }
 
-RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation)
-    : deck_(deck),
+RunRecord::RunRecord(const RunPlan& plan, Execution execution, const std::optional<Continuation>& continuation)
+    : plan_(plan),
       execution_(std::move(execution)),
       parts_(continuation ? continuation->earlier : EarlierParts{.began = now(), .resumed_at_steps = {}}) {
     // The table first: what the record names is there.
-    if (!continuation && deck_.given.potential && deck_.given.potential->table) {
-        write_pair_table(deck_.outputs() / pair_table_name, *deck_.given.potential->table);
+    if (!continuation && plan_.given.potential && plan_.given.potential->table) {
+        write_pair_table(plan_.outputs() / pair_table_name, *plan_.given.potential->table);
     }
     write(false, 0.0, std::nullopt);
 }
@@ -112,7 +111,7 @@ void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases
 
 void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const {
     const BuildInfo& build = build_info();
-    const bool few_body = deck_.kind() == DeckKind::few_body;
+    const bool few_body = !plan_.is_fluid();
     Data record = {{"program", "ljmd"},
                    {"version", build.version},
                    {"commit", build.commit},
@@ -121,17 +120,17 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"flags", build.flags},
                    {"simd", few_body ? Data(nullptr) : Data(name(execution_.simd()))},
                    {"precision", name(execution_.precision())},
-                   {"digits", digits_of(deck_, execution_)},
+                   {"digits", digits_of(plan_, execution_)},
                    {"threads", execution_.threads()},
                    {"host", host()},
-                   {"title", deck_.title},
-                   {"deck_file", deck_.path},
-                   {"deck", deck_.source},
-                   {"settings", deck_.settings},
-                   {"deck_hash", deck_hash(deck_)},
-                   {"given", given_data(deck_.given)},
-                   {"kind", kind_name(deck_)},
-                   {"seed", few_body ? Data(nullptr) : Data(deck_.system().seed)},
+                   {"title", plan_.title},
+                   {"deck_file", plan_.path},
+                   {"deck", plan_.source},
+                   {"settings", plan_.settings},
+                   {"deck_hash", deck_hash(plan_)},
+                   {"given", given_data(plan_.given)},
+                   {"kind", kind_name(plan_)},
+                   {"seed", few_body ? Data(nullptr) : Data(std::get<FluidSpec>(plan_.spec).seed)},
                    {"units", few_body ? "the deck's own" : "reduced"},
                    {"began", parts_.began},
                    {"ended", finished ? Data(now()) : Data(nullptr)},
@@ -151,14 +150,14 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
         record["seconds_per_phase"] = phases_data(*phases);
     }
     record["argon"] = nullptr;
-    if (deck_.units) {
-        record["argon"] = {{"sigma_nm", deck_.units->nanometre()},
-                           {"epsilon_K", deck_.units->kelvin()},
-                           {"mass_u", deck_.units->dalton()},
-                           {"tau_ps", deck_.units->picosecond()}};
+    if (plan_.units()) {
+        record["argon"] = {{"sigma_nm", plan_.units()->nanometre()},
+                           {"epsilon_K", plan_.units()->kelvin()},
+                           {"mass_u", plan_.units()->dalton()},
+                           {"tau_ps", plan_.units()->picosecond()}};
     }
     const std::string text = to_json(record);
-    write_file_atomically(deck_.outputs() / "run.json", text + "\n");
+    write_file_atomically(plan_.outputs() / "run.json", text + "\n");
 }
 
 }  // namespace ljmd

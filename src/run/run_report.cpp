@@ -91,8 +91,8 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
     return text;
 }
 
-std::string title_line(const Deck& deck) {
-    return wrapped(printable(deck.title.empty() ? deck.path : deck.title, longest_title), screen_columns, 0);
+std::string title_line(const RunPlan& plan) {
+    return wrapped(printable(plan.title.empty() ? plan.path : plan.title, longest_title), screen_columns, 0);
 }
 
 }  // namespace ljmd

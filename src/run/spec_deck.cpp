@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/options/toml_writer.hpp"
 
@@ -12,15 +15,8 @@ namespace ljmd {
 
 namespace {
 
-/// Why no deck says the same; empty if one can.
+/// Why no deck says the same, whatever stands in for what the program gives; empty if one can.
 std::string not_for_decks(const FluidSpec& spec) {
-    if (spec.potential.is_custom()) {
-        return fmt::format("potential: '{}' is a formula of the program, which no deck can name",
-                           spec.potential.formula());
-    }
-    if (spec.external) {
-        return fmt::format("external: '{}' is a force of the program, which no deck can name", spec.external->name());
-    }
     if (spec.seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
         return fmt::format("seed: a deck has one below 2^63, found {}", spec.seed);
     }
@@ -39,6 +35,7 @@ Placed<Options> without_places(const Options& options) {
     return placed;
 }
 
+/// @pre the potential is none of the program's own
 FluidTables tables_of(const FluidSpec& spec, const RunFiles& files, Precision precision,
                       const std::filesystem::path& start) {
     const Interval& every = files.checkpoint.every;
@@ -67,15 +64,50 @@ FluidTables tables_of(const FluidSpec& spec, const RunFiles& files, Precision pr
     return tables;
 }
 
+/// The ranges of values that a specification alone does not know, and how they go together.
+void require_good(const Table& table, bool has_units) {
+    const Location nowhere{std::make_shared<const Source>(Source{"(a FluidSpec)", ""})};
+    Diagnostics diagnostics;
+    const Placed<FluidTables> tables(validate(table, nowhere, deck_schema(DeckKind::fluid), std::nullopt, diagnostics));
+    check_sense(tables, has_units, true, diagnostics);
+    if (diagnostics.has_errors()) {
+        throw InputError(diagnostics.errors_without_places());
+    }
+}
+
 }  // namespace
 
-std::string deck_text(const FluidSpec& spec, const RunFiles& files, Precision precision,
-                      const std::filesystem::path& start) {
+RunPlan plan_of(const FluidSpec& spec, const RunFiles& files, Precision precision, const std::filesystem::path& start) {
     require_no_mistakes(spec, precision);
     if (const std::string why = not_for_decks(spec); !why.empty()) {
         throw InputError(why);
     }
-    return toml_document(table_of(tables_of(spec, files, precision, start)));
+    RunPlan plan{{files}, "(a FluidSpec)", "", {}, spec, precision};
+    FluidSpec& planned = std::get<FluidSpec>(plan.spec);
+    planned.stages = resolved_stages(spec);
+    if (spec.potential.is_custom()) {
+        plan.source = fmt::format(
+            "# The pair potential is {}, a formula of a program in C++: that in [potential] stands in for it.\n",
+            in_quotes(spec.potential.formula()));
+        planned.potential = PairPotential::lennard_jones(spec.potential.truncation(), spec.potential.cutoff());
+    }
+    const Table table = table_of(tables_of(planned, files, precision, start));
+    require_good(table, spec.units.has_value());
+    plan.source += toml_document(table);
+    return plan;
+}
+
+std::string deck_text(const FluidSpec& spec, const RunFiles& files, Precision precision,
+                      const std::filesystem::path& start) {
+    if (spec.potential.is_custom()) {
+        throw InputError(fmt::format("potential: '{}' is a formula of the program, which no deck can name",
+                                     spec.potential.formula()));
+    }
+    if (spec.external) {
+        throw InputError(
+            fmt::format("external: '{}' is a force of the program, which no deck can name", spec.external->name()));
+    }
+    return plan_of(spec, files, precision, start).source;
 }
 
 }  // namespace ljmd

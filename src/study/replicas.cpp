@@ -224,7 +224,7 @@ std::uint64_t replica_seed(std::uint64_t seed, Index number) {
 SweepPlan replica_plan(const Deck& deck, const std::vector<std::string>& settings, Index replicas) {
     SweepPlan plan{.deck_file = deck.path, .deck = deck.source, .settings = {}, .points = {{seed_key}, {}}};
     plan.replicas = replicas;
-    const Stage& last = deck.stages.back();
+    const Stage& last = deck.stages().back();
     std::vector<std::string> errors;
     errors.reserve(last.until.size());
     for (const WantedError& wanted : last.until) {
@@ -250,7 +250,7 @@ std::string why_all_the_same(const Deck& deck, const Start& start) {
     const auto draws = [](const Stage& stage) {
         return stage.barostat || (stage.thermostat && !find_thermostat(stage.thermostat->name).deterministic);
     };
-    if (!keeps_velocities(deck.system(), start) || std::ranges::any_of(deck.stages, draws)) {
+    if (!keeps_velocities(deck.system(), start) || std::ranges::any_of(deck.stages(), draws)) {
         return "";
     }
     return "all replicas would be the same run: it starts with the velocities of its file, and no stage draws random "
@@ -269,14 +269,14 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
         averages.push_back(each.average);
         means.push_back(each.mean);
     }
-    Data observables = observables_data(averages, deck.units);
+    Data observables = observables_data(averages, deck.units());
     for (std::size_t k = 0; k < averages.size(); ++k) {
         observables[averages[k].name]["standard_error_within"] = means[k].within;
         observables[averages[k].name]["standard_error_between"] = means[k].between;
     }
     std::vector<std::string> doubts = doubts_of(runs, children);
     const std::string lengths = lengths_of(runs);
-    const bool end_by_errors = !deck.stages.back().until.empty();
+    const bool end_by_errors = !deck.stages().back().until.empty();
     if (!lengths.empty() && !end_by_errors) {
         doubts.push_back(lengths);
     }
@@ -291,7 +291,7 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
         list.push_back(Data(replica_seed(seed_of(deck), static_cast<Index>(k))));
     }
     std::string text = fmt::format("{}\n{} replicas, merged\n\n", title_line(deck), children.size());
-    text += observables_table(averages, deck.units) + samples_footnote();
+    text += observables_table(averages, deck.units()) + samples_footnote();
     if (!lengths.empty() && end_by_errors) {
         text += wrapped("  " + lengths, screen_columns, 4) + '\n';
     }

@@ -53,7 +53,7 @@ struct Study {
     }
 };
 
-/// Steps that decks of runs ask for. Those of a study differ in few keys: a deck is read only if its text, or what is
+/// Steps that decks of runs ask for. Decks of one study differ in few keys: a deck is read only if its text, or what is
 /// set of its stages, is new.
 class AskedSteps {
   public:
@@ -67,7 +67,7 @@ class AskedSteps {
         if (is_new) {
             Diagnostics diagnostics;
             const auto deck = load_deck_text(run.deck.string(), run.source, run.settings, true, diagnostics);
-            found->second = deck ? total_steps(deck->stages) : 0;
+            found->second = deck ? total_steps(deck->stages()) : 0;
         }
         return found->second;
     }
@@ -99,7 +99,7 @@ RunState state_of(const std::string& name, const ChildRun& run, Index steps_adde
             found.state = words.empty() ? "stopped" : "failed";
             found.words = words;
         }
-        found.total_steps = total_steps(recorded.deck.stages);
+        found.total_steps = total_steps(recorded.deck.stages());
         if (const auto continuation = find_continuation(recorded.deck)) {
             found.step = continuation->head.step;
             found.total_steps = steps_of_run(recorded, continuation->head);

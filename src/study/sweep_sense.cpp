@@ -20,7 +20,7 @@ constexpr std::size_t max_named = 3;  // number of points named in a mistake
 Diagnostics look_at(const Source& deck, const std::vector<std::string>& settings, bool force) {
     Diagnostics found;
     const auto loaded = load_deck_text(deck.name, deck.text, settings, force, found);
-    if (loaded && start_file(*loaded)) {
+    if (loaded && loaded->start_file) {
         try {
             const Start start = find_start(*loaded);
             check_start(*loaded, start, found);

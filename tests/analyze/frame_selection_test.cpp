@@ -82,19 +82,19 @@ TEST_CASE("stages of a run are parts, of which the sampled ones are measured") {
     const test::DeckFolder folder;
     const Deck deck = folder.load({"stage.equilibrate.sample=true", "stage.equilibrate.steps=20"});
     const TrajectorySummary run = trajectory({0, 10, 20, 30, 40, 50}, {0.0, 0.04, 0.08, 0.12, 0.16, 0.2});
-    const FrameSelection both = select_frames(run, std::nullopt, &deck.stages, std::nullopt);
+    const FrameSelection both = select_frames(run, std::nullopt, &deck.stages(), std::nullopt);
     CHECK(both.parts == std::vector<std::optional<std::size_t>>{std::nullopt, 0, 0, 1, 1, 1});
     CHECK(both.used == 5);
     CHECK(both.longest_part == 3);
     const Deck second = folder.load({});
-    CHECK(select_frames(run, std::nullopt, &second.stages, std::nullopt).used == 3);
+    CHECK(select_frames(run, std::nullopt, &second.stages(), std::nullopt).used == 3);
 }
 
 TEST_CASE("what lies between two parts does not make frames unevenly spaced") {
     const test::DeckFolder folder;
     const Deck deck = folder.load({"stage.equilibrate.sample=true"});
-    const FrameSelection found =
-        select_frames(trajectory({10, 20, 30, 40}, {0.04, 0.08, 9.0, 9.04}), std::nullopt, &deck.stages, std::nullopt);
+    const FrameSelection found = select_frames(trajectory({10, 20, 30, 40}, {0.04, 0.08, 9.0, 9.04}), std::nullopt,
+                                               &deck.stages(), std::nullopt);
     CHECK(found.spacing.value() == Approx(0.04));
 }
 

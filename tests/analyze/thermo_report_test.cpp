@@ -17,7 +17,7 @@ class SmallRun {
     explicit SmallRun(std::vector<std::string> settings = {}, Index steps = 1000000) {
         settings.emplace_back("output.thermo.every=1");
         deck_ = folder_.load(settings);
-        run_until(*deck_, std::min(steps, total_steps(deck_->stages)));
+        run_until(*deck_, std::min(steps, total_steps(deck_->stages())));
     }
     [[nodiscard]] ThermoReport report() const { return thermo_report(recorded_run(deck_->directory)); }
     [[nodiscard]] std::vector<double> column_of(const std::string& name) const {
@@ -79,7 +79,7 @@ TEST_CASE("errors of a run that has reached those it was to reach are those of i
     text.replace(text.find(steps), steps.size(), "until = { temperature = 10.0, max_steps = 20000 }\n");
     const DeckFolder folder(text);
     const Deck deck = folder.load({"output.thermo.every=2"});
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const Data results = parse_json(content_of(deck.directory / "results.json"));
     REQUIRE(results.at("observables").at("temperature").at("independent_samples").number() >= 150.0);
     const ThermoReport report = thermo_report(recorded_run(deck.directory));

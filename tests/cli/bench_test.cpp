@@ -33,7 +33,7 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
     FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), execution, [](const std::string&) {});
     prepare_directory(deck.directory);
     test::Recorder nobody;
-    const RunResult run = run_deck(deck, simulation, nobody);
+    const RunResult run = run_plan(deck, simulation, nobody);
     CHECK(json.at("total_energy_final").number() == run.last.total_energy);
     CHECK(json.at("potential_energy_initial").number() == run.first.potential_energy);
     CHECK(result.last.temperature == run.last.temperature);
@@ -55,5 +55,5 @@ TEST_CASE("the deck that is built in is the Lennard-Jones melt of 32000 atoms") 
     const test::DeckFolder folder{std::string(melt_deck())};
     const Deck deck = folder.load();
     CHECK(find_start(deck).atoms == 32000);
-    CHECK(total_steps(deck.stages) == 100);
+    CHECK(total_steps(deck.stages()) == 100);
 }

@@ -18,8 +18,8 @@ GslComparison compared_with_gsl(const std::string& text, const std::vector<std::
     const Deck deck = folder.load(settings);
     Recorder listener;
     GslComparison comparison = compare_with_gsl(deck, listener);
-    CHECK(static_cast<Index>(listener.steps.size()) == total_steps(deck.stages));
-    CHECK(listener.stages.size() == deck.stages.size());
+    CHECK(static_cast<Index>(listener.steps.size()) == total_steps(deck.stages()));
+    CHECK(listener.stages.size() == deck.stages().size());
     return comparison;
 }
 

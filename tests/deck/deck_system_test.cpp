@@ -47,12 +47,12 @@ TEST_CASE("the box of a fluid holds its cutoff, and few bodies have none") {
 TEST_CASE("only a fluid can start from a file: itself, or the last configuration of a run") {
     const std::string lattice = "lattice = { type = \"fcc\", cells = 3 }";
     const DeckFolder lattice_folder;
-    CHECK_FALSE(start_file(lattice_folder.load()).has_value());
+    CHECK_FALSE(lattice_folder.load().start_file.has_value());
     const DeckFolder stars_folder(stars_deck);
-    CHECK_FALSE(start_file(stars_folder.load()).has_value());
+    CHECK_FALSE(stars_folder.load().start_file.has_value());
     const DeckFolder from_file(changed(small_deck, {{lattice, "file = \"start.xyz\""}}));
-    CHECK(start_file(from_file.load()) == std::filesystem::path("start.xyz"));
+    CHECK(from_file.load().start_file == std::filesystem::path("start.xyz"));
     const DeckFolder other;
     const DeckFolder from_run(changed(small_deck, {{lattice, "file = \"" + (other / "").string() + "\""}}));
-    CHECK(start_file(from_run.load()) == other / "final.xyz");
+    CHECK(from_run.load().start_file == other / "final.xyz");
 }

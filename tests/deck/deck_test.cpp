@@ -15,18 +15,18 @@ TEST_CASE("what a deck leaves out has its default") {
     CHECK(deck->path == folder.deck_path().string());
     CHECK(deck->source == content_of(folder.deck_path()));
     CHECK(deck->title.empty());
-    CHECK_FALSE(deck->units.has_value());
+    CHECK_FALSE(deck->units().has_value());
     CHECK(deck->directory == "runs/deck");
-    CHECK(deck->thermo_every == 10);
+    CHECK(deck->sample_every() == 10);
     CHECK_FALSE(deck->trajectory.has_value());
     CHECK(deck->settings.empty());
     CHECK(deck->system().seed == 1);
     CHECK(deck->neighbors().method == "verlet-list");
     CHECK(deck->neighbors().skin == 0.3);
-    REQUIRE(deck->stages.size() == 2);
-    CHECK(deck->stages[0].integrator.name == "velocity-verlet");
-    CHECK_FALSE(deck->stages[0].sample);
-    CHECK(deck->stages[0].temperature == 1.0);  // that of [system]
+    REQUIRE(deck->stages().size() == 2);
+    CHECK(deck->stages()[0].integrator.name == "velocity-verlet");
+    CHECK_FALSE(deck->stages()[0].sample);
+    CHECK(deck->stages()[0].temperature == 1.0);  // that of [system]
 }
 
 TEST_CASE("what a deck says arrives in the run") {
@@ -38,26 +38,26 @@ TEST_CASE("what a deck says arrives in the run") {
     const auto deck = load_deck(folder.deck_path(), {}, false, diagnostics);
     REQUIRE(deck.has_value());
     CHECK(deck->title == "A small liquid");
-    REQUIRE(deck->stages.size() == 2);
-    CHECK(deck->stages[0].name == "equilibrate");
-    CHECK(deck->stages[0].time_step == 0.004);
-    CHECK(deck->stages[0].steps == 20);
-    CHECK(deck->stages[0].temperature == 1.5);
-    CHECK(deck->stages[0].thermostat->name == "rescale");
-    CHECK(settings_in_words(deck->stages[0].thermostat->settings) == "every=5");
-    CHECK(deck->stages[1].temperature == 1.0);
-    CHECK(deck->stages[1].sample);
-    CHECK(total_steps(deck->stages) == 60);
+    REQUIRE(deck->stages().size() == 2);
+    CHECK(deck->stages()[0].name == "equilibrate");
+    CHECK(deck->stages()[0].time_step == 0.004);
+    CHECK(deck->stages()[0].steps == 20);
+    CHECK(deck->stages()[0].temperature == 1.5);
+    CHECK(deck->stages()[0].thermostat->name == "rescale");
+    CHECK(settings_in_words(deck->stages()[0].thermostat->settings) == "every=5");
+    CHECK(deck->stages()[1].temperature == 1.0);
+    CHECK(deck->stages()[1].sample);
+    CHECK(total_steps(deck->stages()) == 60);
     CHECK(deck->neighbors().method == "cells");
     CHECK(deck->directory == "somewhere/else");
-    CHECK(deck->thermo_every == 3);
+    CHECK(deck->sample_every() == 3);
     REQUIRE(deck->trajectory.has_value());
     CHECK(deck->trajectory->format == "xyz");
     CHECK(deck->trajectory->every == 7);
     CHECK(deck->trajectory->velocities);
     CHECK(deck->trajectory->si());
-    REQUIRE(deck->units.has_value());
-    CHECK(deck->units->kelvin() == Approx(119.8).epsilon(1e-14));
+    REQUIRE(deck->units().has_value());
+    CHECK(deck->units()->kelvin() == Approx(119.8).epsilon(1e-14));
 }
 
 TEST_CASE("settings win over the text, later ones over earlier ones") {
@@ -66,9 +66,9 @@ TEST_CASE("settings win over the text, later ones over earlier ones") {
                                             "output.thermo.every=2", "title=Another"};
     const Deck deck = folder.load(settings);
     CHECK(deck.system().density == 0.6);
-    CHECK(deck.stages[0].steps == 20);
-    CHECK(deck.stages[1].steps == 100);
-    CHECK(deck.thermo_every == 2);  // a table that the text has not
+    CHECK(deck.stages()[0].steps == 20);
+    CHECK(deck.stages()[1].steps == 100);
+    CHECK(deck.sample_every() == 2);  // a table that the text has not
     CHECK(deck.title == "Another");
     CHECK(deck.settings == settings);
     CHECK(deck.source == content_of(folder.deck_path()));
@@ -112,7 +112,7 @@ TEST_CASE("with a substance, quantities may have units") {
     CHECK(deck.system().temperature.value() == Approx(1.0).epsilon(1e-12));
     CHECK(deck.potential().radius == Approx(2.0).epsilon(1e-12));
     CHECK(deck.system().density.value() == Approx(0.81772).epsilon(1e-4));
-    CHECK(deck.stages[0].time_step == Approx(0.010 / 2.1564).epsilon(1e-4));  // tau of argon: 2.1564 ps
+    CHECK(deck.stages()[0].time_step == Approx(0.010 / 2.1564).epsilon(1e-4));  // tau of argon: 2.1564 ps
 }
 
 TEST_CASE("a mistake in the substance is one mistake, whatever else is in its units") {

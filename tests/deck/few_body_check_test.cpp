@@ -1,6 +1,6 @@
 #include "ljmd/deck/few_body_check.hpp"
 
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -55,9 +55,9 @@ TEST_CASE("the disk that a few-body run was said to need is about what it takes"
         const Deck deck = folder.load(all);
         const double said = few_body_check_report(deck).data.at("disk_bytes").number();
         prepare_directory(deck.directory);
-        FewBodySystem system = make_few_body_system(deck);
+        FewBodySystem system = make_few_body_system(deck.few_bodies());
         Recorder listener;
-        static_cast<void>(run_deck(deck, system, listener));
+        static_cast<void>(run_plan(deck, system, listener));
         double taken = 0.0;
         for (const char* name : {"thermo.csv", "trajectory.csv"}) {
             if (std::filesystem::exists(deck.directory / name)) {

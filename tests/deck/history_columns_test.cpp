@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -39,7 +39,7 @@ TEST_CASE("trajectories of few bodies have accelerations where the deck asks for
     const DeckFolder folder(stars_deck);
     const auto names = [&](const std::vector<std::string>& settings) {
         const Deck deck = folder.load(settings);
-        return trajectory_columns(deck, make_few_body_system(deck)).names();
+        return trajectory_columns(deck, make_few_body_system(deck.few_bodies())).names();
     };
     CHECK(has(names({}), "vy2"));
     CHECK_FALSE(has(names({}), "ax1"));

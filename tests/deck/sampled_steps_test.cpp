@@ -9,7 +9,7 @@ using namespace ljmd;
 TEST_CASE("steps belong to the stages that are sampled, without their start") {
     const test::DeckFolder folder;
     const Deck deck = folder.load({});
-    const SampledSteps steps(deck.stages);  // 20 steps, then 40 that are sampled
+    const SampledSteps steps(deck.stages());  // 20 steps, then 40 that are sampled
     CHECK_FALSE(steps.contain(0));
     CHECK_FALSE(steps.contain(20));
     CHECK(steps.stage_of(21) == std::size_t{1});
@@ -20,7 +20,7 @@ TEST_CASE("steps belong to the stages that are sampled, without their start") {
 TEST_CASE("where no stage is sampled all are looked at") {
     const test::DeckFolder folder;
     const Deck deck = folder.load({"stage.production.sample=false"});
-    const SampledSteps steps(deck.stages);
+    const SampledSteps steps(deck.stages());
     CHECK_FALSE(steps.contain(0));
     CHECK(steps.stage_of(1) == std::size_t{0});
     CHECK(steps.stage_of(21) == std::size_t{1});
@@ -29,8 +29,8 @@ TEST_CASE("where no stage is sampled all are looked at") {
 TEST_CASE("a run of no steps is sampled at its start") {
     const test::DeckFolder folder;
     const Deck deck = folder.load({"stage.equilibrate.steps=0", "stage.production.steps=0"});
-    CHECK(SampledSteps(deck.stages).contain(0));
-    CHECK_FALSE(SampledSteps(deck.stages).contain(1));
+    CHECK(SampledSteps(deck.stages()).contain(0));
+    CHECK_FALSE(SampledSteps(deck.stages()).contain(1));
 }
 
 TEST_CASE("a time is before another one by more than rounding") {

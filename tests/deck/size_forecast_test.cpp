@@ -53,7 +53,7 @@ TEST_CASE("the disk that a run was said to need is about what it takes, checkpoi
         with_checkpoints.emplace_back("output.checkpoint.every=3");
         const Deck deck = folder.load(with_checkpoints);
         const double said = forecast_size(deck, find_start(deck)).disk;
-        run_until(deck, total_steps(deck.stages));
+        run_until(deck, total_steps(deck.stages()));
         const double taken = bytes_in(deck.directory);
         INFO(settings.front() << ": said " << said << ", taken " << taken);
         CHECK(said < 1.3 * taken);

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
@@ -19,9 +19,9 @@ namespace {
 /// A few-body deck that was run in its folder, and what came of it.
 struct Finished {
     explicit Finished(const std::string& text, const std::vector<std::string>& settings = {})
-        : folder(text), deck(folder.load(settings)), system(make_few_body_system(deck)) {
+        : folder(text), deck(folder.load(settings)), system(make_few_body_system(deck.few_bodies())) {
         prepare_directory(deck.directory);
-        result = run_deck(deck, system, listener);
+        result = run_plan(deck, system, listener);
     }
 
     [[nodiscard]] std::string file(const std::string& name) const { return content_of(deck.directory / name); }
@@ -308,10 +308,10 @@ TEST_CASE("bodies that collide end the run with step, stage and the configuratio
                                                  {"time_step = 0.01", "time_step = 0.25"},
                                                  {"every = 10", "every = 1"}}));
     const Deck deck = folder.load();
-    FewBodySystem system = make_few_body_system(deck);
+    FewBodySystem system = make_few_body_system(deck.few_bodies());
     prepare_directory(deck.directory);
     Recorder listener;
-    const auto run = [&] { static_cast<void>(run_deck(deck, system, listener)); };
+    const auto run = [&] { static_cast<void>(run_plan(deck, system, listener)); };
     const std::string failed = (deck.directory / "failed.xyz").string();
     CHECK_THROWS_MATCHES(run(), PhysicsError, Catch::Matchers::Predicate<PhysicsError>([&](const PhysicsError& error) {
                              const std::string text = error.what();
@@ -333,10 +333,10 @@ TEST_CASE("bodies that leave the range of numbers end the run, and the last chec
                                                  {"steps = 95\n", "steps = 5000\nintegrator = \"euler\"\n"}}));
     const Deck deck =
         folder.load({GENERATE("output.thermo.every=7", "output.thermo.every=4000"), "output.checkpoint.every=100"});
-    FewBodySystem system = make_few_body_system(deck);
+    FewBodySystem system = make_few_body_system(deck.few_bodies());
     prepare_directory(deck.directory);
     Recorder listener;
-    CHECK_THROWS_WITH(run_deck(deck, system, listener), Contains("the run has blown up. Is the time step too large"));
+    CHECK_THROWS_WITH(run_plan(deck, system, listener), Contains("the run has blown up. Is the time step too large"));
     CHECK_THAT(content_of(deck.directory / "thermo.csv"), !Contains("inf") && !Contains("nan"));
     REQUIRE(find_continuation(deck).has_value());
     CHECK(find_continuation(deck)->head.step == 100);  // velocities can be squared until step 134

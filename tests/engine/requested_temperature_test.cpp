@@ -139,7 +139,7 @@ TEST_CASE("runs at constant energy, brought to one temperature, scatter as their
         prepare_directory(deck.directory);
         FluidSystem simulation = simulation_of(deck);
         Recorder listener;
-        const RunResult result = run_deck(deck, simulation, listener);
+        const RunResult result = run_plan(deck, simulation, listener);
         const auto p = std::ranges::find(result.averages, "pressure", &ObservableAverage::name)->estimate;
         if (result.at_requested) {
             found.emplace_back(*p, *result.at_requested->observables[1].estimate);

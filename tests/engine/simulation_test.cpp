@@ -51,7 +51,7 @@ TEST_CASE("a run in memory has the bits of the same run with a deck and a direct
     prepare_directory(deck.directory);
     FluidSystem fluid = simulation_of(deck);
     Recorder nobody;
-    const RunResult with_files = run_deck(deck, fluid, nobody);
+    const RunResult with_files = run_plan(deck, fluid, nobody);
 
     FluidSpec spec = with_analyses();
     spec.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}}), analysis("rdf", {{"every", 5}})};

@@ -11,7 +11,7 @@ namespace {
 bool conserves_with(const std::string& lines) {
     const Deck deck =
         DeckFolder(changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }", lines}})).load();
-    return conserves_energy(deck.stages.front());
+    return conserves_energy(deck.stages().front());
 }
 
 }  // namespace

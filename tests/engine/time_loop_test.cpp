@@ -7,8 +7,8 @@
 #include "deck/deck_fixtures.hpp"
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/few_body.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
@@ -75,7 +75,7 @@ velocity = [0.5, -1.0]
 struct Swing {
     explicit Swing(const std::string& stages, Index energy_every = 1)
         : deck(DeckFolder(springs_deck + stages).load()), state(swinging(springs)), log(state, energy_every) {
-        run_stages(deck.stages, state, springs, log);
+        run_stages(deck.stages(), state, springs, log);
     }
 
     Deck deck;
@@ -107,7 +107,7 @@ std::string failure_after(int evaluations) {
     Breaking springs(evaluations);
     Log log(state);
     try {
-        run_stages(deck.stages, state, springs, log);
+        run_stages(deck.stages(), state, springs, log);
     } catch (const PhysicsError& error) {
         return error.what();
     }
@@ -146,7 +146,7 @@ TEST_CASE(
         State state = swinging(springs);
         Log log(state);
         log.looks_within = wanted;
-        run_stages(deck.stages, state, springs, log);
+        run_stages(deck.stages(), state, springs, log);
         CHECK(log.within == (wanted ? std::set<std::string>{"one", "three"} : std::set<std::string>{}));
         CHECK((!wanted || log.last_within < log.times.back()));
         CHECK(log.times.size() == 14);
@@ -180,7 +180,7 @@ TEST_CASE("a stage cut in two is the same motion, to the last bit, for few bodie
         const Deck deck = DeckFolder(text).load();
         runs.push_back(simulation_of(deck));
         Log log(runs.back().state);
-        run_stages(deck.stages, runs.back().state, runs.back().force_field, log);
+        run_stages(deck.stages(), runs.back().state, runs.back().force_field, log);
     }
     CHECK(positions(runs[0].state) == positions(runs[1].state));
     CHECK(velocities(runs[0].state) == velocities(runs[1].state));
@@ -221,7 +221,7 @@ TEST_CASE("a thermostat acts after the particles have moved, and only in its sta
                           .load({"stage.equilibrate.temperature=1.3", "stage.production.steps=41"});
     FluidSystem simulation = simulation_of(deck);
     Log log(simulation.state);
-    run_stages(deck.stages, simulation.state, simulation.force_field, log);
+    run_stages(deck.stages(), simulation.state, simulation.force_field, log);
     const double wanted = 1.3 * 1.5 * (108.0 - 1.0);  // 3 (N - 1) degrees of freedom
     REQUIRE(log.kinetic_when_done.size() == 71);
     for (const auto& [step, kinetic] : log.kinetic_when_done) {
@@ -247,11 +247,11 @@ TEST_CASE("after a thermostat that moves the centre of mass, it is brought to re
         FluidSystem simulation = simulation_of(deck);
         Log log(simulation.state);
         std::vector<double> found;
-        run_stages({deck.stages[0]}, simulation.state, simulation.force_field, log);
+        run_stages({deck.stages()[0]}, simulation.state, simulation.force_field, log);
         found.push_back(total_momentum(simulation.state).norm());
         FluidSystem again = simulation_of(deck);
         Log other(again.state);
-        run_stages(deck.stages, again.state, again.force_field, other);
+        run_stages(deck.stages(), again.state, again.force_field, other);
         found.push_back(total_momentum(again.state).norm());
         return found;
     };
@@ -284,7 +284,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
         std::vector<double> edges;
     };
     Edges log(simulation.state, 1000);
-    run_stages(deck.stages, simulation.state, simulation.force_field, log, std::nullopt,
+    run_stages(deck.stages(), simulation.state, simulation.force_field, log, std::nullopt,
                fluid_spec(deck).interaction());
     REQUIRE(log.edges.size() == 60);
     for (std::size_t step = 2; step <= 60; ++step) {
@@ -304,5 +304,6 @@ TEST_CASE("a run is not resumed when the state lacks the variables of the thermo
     simulation.state.bath = {0.0, 1.0};
     LoopPosition position;
     position.begun = true;
-    CHECK_THROWS_AS(run_stages(deck.stages, simulation.state, simulation.force_field, log, position), CheckpointError);
+    CHECK_THROWS_AS(run_stages(deck.stages(), simulation.state, simulation.force_field, log, position),
+                    CheckpointError);
 }

@@ -1,5 +1,5 @@
 #include "fuzzed_decks.hpp"
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
 
@@ -14,9 +14,9 @@ LJMD_FUZZ_TARGET(checkpoint_few_body) {
         const fuzz::RunFolder& folder = content.head.atoms == 1 ? radial : orbit;
         RunControl control;
         control.continuation = fuzz::found_again(folder, content);
-        FewBodySystem system = make_few_body_system(folder.deck());
+        FewBodySystem system = make_few_body_system(folder.deck().few_bodies());
         fuzz::Quiet listener;
-        static_cast<void>(run_deck(folder.deck(), system, listener, control));
+        static_cast<void>(run_plan(folder.deck(), system, listener, control));
         ++fuzz::inputs_accepted;
     } catch (const CheckpointError&) {
     } catch (const PhysicsError&) {  // positions and velocities may be any

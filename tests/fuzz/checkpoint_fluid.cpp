@@ -17,7 +17,7 @@ LJMD_FUZZ_TARGET(checkpoint_fluid) {
         FluidSystem simulation = empty_fluid(fluid_spec(folder.deck()), head.atoms, Box(head.edges),
                                              Execution(execution_options(folder.deck())));
         fuzz::Quiet listener;
-        static_cast<void>(run_deck(folder.deck(), simulation, listener, control));
+        static_cast<void>(run_plan(folder.deck(), simulation, listener, control));
         ++fuzz::inputs_accepted;
     } catch (const CheckpointError&) {
     } catch (const PhysicsError&) {  // positions and velocities may be any

@@ -30,7 +30,7 @@ LJMD_FUZZ_TARGET(deck) {
         return 0;
     }
     try {
-        if (deck->kind() == DeckKind::few_body) {
+        if (!deck->is_fluid()) {
             static_cast<void>(few_body_check_report(*deck));
         } else {
             check_fluid(*deck);

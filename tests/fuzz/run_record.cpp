@@ -11,7 +11,7 @@ LJMD_FUZZ_TARGET(run_record) {
     file.rewrite(fuzz::text_of(data, size));
     try {
         const RecordedRun run = recorded_run(file.directory(), more_steps);
-        fuzz::require(run.deck.stages.back().steps >= 0, "a stage has fewer steps than none");
+        fuzz::require(run.deck.stages().back().steps >= 0, "a stage has fewer steps than none");
         ++fuzz::inputs_accepted;
     } catch (const DataError&) {
     } catch (const InputError&) {

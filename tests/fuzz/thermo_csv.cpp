@@ -21,7 +21,7 @@ RecordedRun run_in(const std::filesystem::path& directory) {
 void report(const RecordedRun& run) {
     try {
         const ThermoReport found = thermo_report(run);
-        fuzz::require(found.first_step < found.last_step && found.last_step <= total_steps(run.deck.stages),
+        fuzz::require(found.first_step < found.last_step && found.last_step <= total_steps(run.deck.stages()),
                       "rows of the run's steps, in their order");
         static_cast<void>(to_json(thermo_document(found).data));
         ++fuzz::inputs_accepted;

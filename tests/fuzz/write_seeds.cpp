@@ -43,7 +43,7 @@ void run(const Deck& deck, RunListener& listener) {
     const bool fluid = kind_name(deck) == "fluid";
     AnySystem system = make_system(deck, fluid ? std::optional(find_start(deck)) : std::nullopt,
                                    Execution(execution_options(deck)), [](const std::string&) {});
-    static_cast<void>(run_deck(deck, system, listener));
+    static_cast<void>(run_plan(deck, system, listener));
 }
 
 /// The contents of the checkpoints that the run of a deck writes: at its start, on its way, at the end of a stage.
@@ -51,8 +51,8 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
                        const std::string& name) {
     const fuzz::RunFolder folder(fuzzed);
     const Deck& deck = folder.deck();
-    const Index stage = deck.stages.front().steps;
-    for (const Index step : {Index{1}, stage, stage + 1, total_steps(deck.stages)}) {
+    const Index stage = deck.stages().front().steps;
+    for (const Index step : {Index{1}, stage, stage + 1, total_steps(deck.stages())}) {
         prepare_directory(deck.directory);
         StopAt listener(step);
         try {

@@ -50,7 +50,7 @@ class Sampled : private StepObserver {
         FluidSystem simulation = simulation_of(deck);
         state_ = &simulation.state;
         tail_ = simulation.tail;
-        run_stages(deck.stages, simulation.state, simulation.force_field, *this, std::nullopt,
+        run_stages(deck.stages(), simulation.state, simulation.force_field, *this, std::nullopt,
                    fluid_spec(deck).interaction());
     }
 

@@ -99,6 +99,10 @@ thermo = {{ every = 25 }}
 film = {{ layers = 100, every = 25 }}
 """
 
+# In a direction in which the atoms stay within bounds, the virial is a derivative in time, sum z f_x = d/dt sum z p_x - sum p_z p_x: its mean over
+# a run falls as 1/t, faster than any error from its variance, which is then too large.
+OF_BOUNDED_MOTION = {("film", "pressure_xz"), ("film", "pressure_yz")}
+
 BAROSTAT = 'barostat = { type = "stochastic-cell-rescaling", pressure = 1.0, time = 1.0 }'
 FLUCTUATIONS = "response_functions = { every = 20 }"
 
@@ -150,9 +154,11 @@ def look_at(name: str, is_long: bool, runs: list[dict[str, dict]]) -> list[float
         ratio = scatter / math.sqrt(sum(one["standard_error"] ** 2 for one in sure) / len(sure))
         beyond = sum(abs(one["mean"] - centre) > 3 * one["standard_error"] for one in sure)
         print(f"| {name} | {quantity} | {ratio:.2f} | {unmarked} | {beyond} |")
-        if is_long:
+        if (name, quantity) in OF_BOUNDED_MOTION:
+            check(f"{name}: scatter over error of {quantity}, at most", ratio, 0.0, 1.27)
+        elif is_long:
             ratios.append(ratio)
-            check(f"{name}: scatter over error of {quantity}", ratio, 1.01, 0.26)
+            check(f"{name}: scatter over error of {quantity}", ratio, 1.01, 0.26 * math.sqrt(len(runs) / len(sure)))
         else:
             expected = BEYOND * len(sure)
             check(f"{name}: {quantity} more than three errors off", beyond, 0, expected + 2 * math.sqrt(expected))

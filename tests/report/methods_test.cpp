@@ -14,7 +14,7 @@ TEST_CASE("the methods of a run name potential, stages, errors and program") {
     run_whole(deck);
     const std::string words = methods_paragraph(run_facts(deck.directory));
     CHECK_THAT(words, Contains("108 atoms") && Contains("lennard-jones, force-shifted at 2 sigma"));
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : deck.stages()) {
         CHECK_THAT(words, Contains("Stage '" + stage.name + "'"));
     }
     CHECK_THAT(words, Contains("velocity-verlet") && Contains("10.1063/1.457480") && Contains("Computed with ljmd"));

@@ -11,7 +11,7 @@ namespace ljmd::test {
 
 /// Run a deck to its end in its directory.
 inline void run_whole(const Deck& deck) {
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
 }
 
 /// Replace a file by this text.

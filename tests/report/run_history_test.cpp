@@ -39,9 +39,9 @@ TEST_CASE("time series have block averages of the sampled rows, whose mean is th
     CHECK(sum / 20.0 == Approx(facts.results["observables"]["temperature"]["mean"].number()).epsilon(1e-7));
     CHECK(values_of(table_called(page, "energy"), "energy_change")[0] == 0.0);
     CHECK(chart_called(page, "energy").lead);
-    CHECK(chart_called(page, "temperature").marks[0].label == deck.stages[1].name);
+    CHECK(chart_called(page, "temperature").marks[0].label == deck.stages()[1].name);
     CHECK(chart_called(page, "temperature").marks[0].value.value() ==
-          Approx(static_cast<double>(deck.stages[0].steps) * deck.stages[0].time_step));
+          Approx(static_cast<double>(deck.stages()[0].steps) * deck.stages()[0].time_step));
 }
 
 TEST_CASE("blocking curves begin at one, and are left out of short runs") {

@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 TEST_CASE("of a run that has ended its directory tells so, and how to make it longer") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const std::string text = directory_report(deck.directory).text;
     CHECK_THAT(text, Contains("A small liquid\n"));
     CHECK_THAT(text, Contains("finished      yes\n"));

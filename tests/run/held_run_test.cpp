@@ -15,7 +15,7 @@ TEST_CASE("a run is held to be resumed: its deck, its newest checkpoint, and as 
     CHECK(run.checkpoint().step == 30);
     CHECK(run.checkpoint().atoms == 108);
     CHECK(run.execution().threads() == 2);
-    CHECK(total_steps(run.deck().stages) == 70);
+    CHECK(total_steps(run.deck().stages()) == 70);
     CHECK(run.deck().locked.has_value());
     CHECK(run.warnings().empty());
     CHECK_FALSE(run.is_at_its_end());

@@ -24,7 +24,7 @@ std::pair<fs::path, State> run_in(const DeckFolder& folder, const std::vector<st
     FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder recorder;
-    static_cast<void>(run_deck(deck, simulation, recorder));
+    static_cast<void>(run_plan(deck, simulation, recorder));
     return {deck.directory, std::move(simulation.state)};
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("the deck of a run is the one that it was made with, whatever became o
     fs::remove(folder.deck_path());
     const Deck deck = deck_of(directory);
     CHECK(deck.potential().radius == 1.5);
-    CHECK(deck.stages.at(1).time_step == 0.001);
+    CHECK(deck.stages().at(1).time_step == 0.001);
     CHECK(deck.title == "A small liquid");
     CHECK(deck_of(directory, {"potential.cutoff=1.75"}).potential().radius == 1.75);
 }
@@ -72,7 +72,7 @@ TEST_CASE("a run that was forced is taken as it is") {
     const DeckFolder folder;
     const auto [directory, state] = run_in(folder);
     change_record(directory, "settings", Data::list({"stage.production.time_step=0.03"}));
-    CHECK(deck_of(directory).stages.at(1).time_step == 0.03);
+    CHECK(deck_of(directory).stages().at(1).time_step == 0.03);
 }
 
 TEST_CASE("the beginning of a run cannot be set any more, and mistakes in settings are told") {

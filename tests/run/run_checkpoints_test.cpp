@@ -46,10 +46,10 @@ Index check_every_step(const std::string& text, const std::vector<std::string>& 
                        Index apart = 1) {
     const DeckFolder whole_folder(text);
     const Deck whole = whole_folder.load(settings);
-    run_until(whole, total_steps(whole.stages), threads);
+    run_until(whole, total_steps(whole.stages()), threads);
     const std::string expected = outputs_of(whole.directory);
     Index wrong = 0;
-    for (Index step = 0; step < total_steps(whole.stages); step += apart) {
+    for (Index step = 0; step < total_steps(whole.stages()); step += apart) {
         const DeckFolder folder(text);
         std::vector<std::string> with_checkpoint = settings;
         with_checkpoint.push_back(fmt::format("output.checkpoint.every={}", std::max<Index>(step, 1)));
@@ -219,9 +219,9 @@ TEST_CASE("run.json tells at which steps a run was resumed, and when it began") 
 TEST_CASE("a finished run is resumed from its end, and ends the same") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load();
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const std::string expected = outputs_of(deck.directory);
-    CHECK(resume(deck.directory) == total_steps(deck.stages));
+    CHECK(resume(deck.directory) == total_steps(deck.stages()));
     CHECK(outputs_of(deck.directory) == expected);
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is sa
 
     const DeckFolder whole_folder(with_files);
     const Deck whole = whole_folder.load();
-    run_until(whole, total_steps(whole.stages));
+    run_until(whole, total_steps(whole.stages()));
     CHECK(outputs_of(deck.directory) == outputs_of(whole.directory));
 }
 
@@ -320,7 +320,7 @@ TEST_CASE("no checkpoint is written of a run that has blown up") {
             simulation.state.write_velocities().col(5) = Vec3(0.0, 1000.0, 0.0);
         }
     };
-    CHECK_THROWS_WITH(run_deck(deck, simulation, listener), Contains("step 33 ") && Contains("has blown up"));
+    CHECK_THROWS_WITH(run_plan(deck, simulation, listener), Contains("step 33 ") && Contains("has blown up"));
     CHECK(std::filesystem::exists(deck.directory / "failed.xyz"));
     CHECK(resume(deck.directory) == 32);
 }

@@ -5,7 +5,7 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/options/registry.hpp"
 #include "ljmd/run/run.hpp"
 #include "run/run_fixtures.hpp"
@@ -64,7 +64,7 @@ Names files_of(const std::string& text, const std::vector<std::string>& settings
     const DeckFolder folder(text);
     const Deck deck = folder.load(settings);
     prepare_directory(deck.directory);
-    FewBodySystem system = make_few_body_system(deck);
+    FewBodySystem system = make_few_body_system(deck.few_bodies());
     system.force_field->evaluate(system.state, Request::forces);
     RunDirectory files(deck, system);
     files.write(no_totals);
@@ -214,7 +214,7 @@ TEST_CASE("rows of a few-body run are on the disk before it ends, every hundredt
     const DeckFolder folder(stars_deck);
     const Deck deck = folder.load({"output.trajectory.every=1"});
     prepare_directory(deck.directory);
-    const FewBodySystem system = make_few_body_system(deck);
+    const FewBodySystem system = make_few_body_system(deck.few_bodies());
     RunDirectory files(deck, system);
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
     for (int n = 0; n < 100; ++n) {
@@ -229,7 +229,7 @@ TEST_CASE("the last configuration of few bodies is kept with velocities and all 
     const DeckFolder folder(stars_deck);
     const Deck deck = folder.load();
     prepare_directory(deck.directory);
-    FewBodySystem system = make_few_body_system(deck);
+    FewBodySystem system = make_few_body_system(deck.few_bodies());
     system.state.write_positions()(1, 0) = 1.0 / 3.0;
     RunDirectory files(deck, system);
     files.finish(system.state, {});

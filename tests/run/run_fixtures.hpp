@@ -45,7 +45,7 @@ inline void run_in(const Deck& deck, RunListener& listener, const RunControl& co
     AnySystem system = control.continuation ? empty_system(deck, control.continuation->head.atoms,
                                                            control.continuation->head.edges, execution)
                                             : start_of(deck, execution);
-    static_cast<void>(run_deck(deck, system, listener, control));
+    static_cast<void>(run_plan(deck, system, listener, control));
 }
 
 /// Run the deck and stop it dead in the step after this one. @param threads  0: as OMP_NUM_THREADS says

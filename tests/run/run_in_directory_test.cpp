@@ -103,7 +103,7 @@ TEST_CASE("a specification with a directory leaves the files of the deck that sa
     prepare_directory(deck.directory);
     FluidSystem fluid = simulation_of(deck);
     Recorder nobody;
-    const RunResult of_deck = run_deck(deck, fluid, nobody);
+    const RunResult of_deck = run_plan(deck, fluid, nobody);
 
     const RunResult result = run_in_directory(analysed_spec(), folder / "mine", {.files = files_of_deck});
     check_same_outputs(folder / "mine", deck.directory);
@@ -349,7 +349,7 @@ TEST_CASE("a configuration that a run starts from is kept in its directory, wher
     prepare_directory(deck.directory);
     FluidSystem fluid = simulation_of(deck);
     Recorder nobody;
-    CHECK(run_deck(deck, fluid, nobody).stages.back().checksum_at_end == result.stages.back().checksum_at_end);
+    CHECK(run_plan(deck, fluid, nobody).stages.back().checksum_at_end == result.stages.back().checksum_at_end);
 
     run_in_directory(small_spec(), folder / "run", {.replace = true});  // which starts from a lattice
     CHECK_FALSE(std::filesystem::exists(folder / "run" / given_start_name));

@@ -22,7 +22,7 @@ struct Finished {
     explicit Finished(const std::string& text, const std::vector<std::string>& settings = {})
         : folder(text), deck(folder.load(settings)), simulation(simulation_of(deck)) {
         prepare_directory(deck.directory);
-        result = run_deck(deck, simulation, listener);
+        result = run_plan(deck, simulation, listener);
     }
 
     [[nodiscard]] std::string file(const std::string& name) const { return content_of(deck.directory / name); }
@@ -257,7 +257,7 @@ TEST_CASE("run.json tells a run that goes on from one that has ended") {
         looks += record.at("finished") == false && record.at("ended").is_null() ? 1 : 0;
         CHECK_FALSE(std::filesystem::exists(deck.directory / "results.json"));
     };
-    const RunResult result = run_deck(deck, simulation, listener);
+    const RunResult result = run_plan(deck, simulation, listener);
     CHECK(looks == 60);
     const Data record = parse_json(content_of(deck.directory / "run.json"));
     CHECK(record.at("finished") == true);
@@ -268,11 +268,11 @@ TEST_CASE("run.json tells a run that goes on from one that has ended") {
 TEST_CASE("a run that blows up ends with step, stage and the configuration") {
     const DeckFolder folder;
     Deck deck = folder.load({"system.temperature=20"});
-    deck.stages[1].time_step = 0.1;  // which a deck would need --force for
+    deck.stages()[1].time_step = 0.1;  // which a deck would need --force for
     FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder listener;
-    const auto run = [&] { static_cast<void>(run_deck(deck, simulation, listener)); };
+    const auto run = [&] { static_cast<void>(run_plan(deck, simulation, listener)); };
     CHECK_THROWS_MATCHES(run(), PhysicsError, Catch::Matchers::Predicate<PhysicsError>([&](const PhysicsError& error) {
                              const std::string text = error.what();
                              return text.starts_with("step ") &&

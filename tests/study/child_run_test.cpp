@@ -63,7 +63,7 @@ TEST_CASE("a run begins, is resumed, and is left alone when it is finished") {
     FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder listener;
-    static_cast<void>(run_deck(deck, simulation, listener));
+    static_cast<void>(run_plan(deck, simulation, listener));
     CHECK_FALSE(next_job(run).has_value());
     CHECK(longer(run, 60).arguments == std::vector<std::string>{"resume", run.directory, "--quiet", "--steps", "+60"});
 }

@@ -53,9 +53,9 @@ TEST_CASE("every row has a deck that is right, with 864 atoms and a name of its 
             INFO(row_name(row));
             CHECK(find_start(deck).atoms == 864);
             CHECK(deck.system().density == row.density);
-            CHECK(deck.stages.back().temperature == row.temperature);
-            CHECK(deck.stages.back().steps == length.production);
-            CHECK(deck.stages.back().sample);
+            CHECK(deck.stages().back().temperature == row.temperature);
+            CHECK(deck.stages().back().steps == length.production);
+            CHECK(deck.stages().back().sample);
         }
         CHECK(std::find(names.begin(), names.end(), row_name(row)) == names.end());
         names.push_back(row_name(row));

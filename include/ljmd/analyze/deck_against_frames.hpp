@@ -12,9 +12,9 @@ class EnergyFluctuations {
   public:
     void add(const Thermodynamics& frame);
 
-    /// Standard deviation of the total energy divided by that of the kinetic energy: close to 0 at constant energy,
-    /// about 1 or more in the canonical ensemble, where kinetic and potential energy fluctuate independently. Nothing
-    /// if the kinetic energy does not fluctuate.
+    /// Standard deviation of the total energy over the standard deviation of the kinetic energy: close to 0 at constant
+    /// energy, about 1 or more in the canonical ensemble, where kinetic and potential energy fluctuate independently.
+    /// Nothing if the kinetic energy does not fluctuate.
     [[nodiscard]] std::optional<double> total_over_kinetic() const;
 
   private:
@@ -41,10 +41,10 @@ struct DeckClaims {
 /// - the heat capacity and other response functions, if the box of the frames changes at "constant volume" or does not
 ///   at "constant pressure", if the total energy fluctuates at "constant energy", or if it does not in the "canonical"
 ///   ensemble;
-/// - the excess chemical potential, if the temperature of the frames differs from that of the deck's thermostat by more
-///   than 5 standard errors and more than 5 %.
+/// - the excess chemical potential, if the temperature of the frames differs from the temperature of the deck's
+///   thermostat by more than 5 standard errors and more than 5 %.
 ///
-/// @param box_changes  the first frame, from 1, whose box differs from that of frame 1
+/// @param box_changes  the first frame, from 1, whose box differs from frame 1's
 void withdraw_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
                            const EnergyFluctuations& energies, std::optional<Index> box_changes);
 

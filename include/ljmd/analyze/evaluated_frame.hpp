@@ -51,8 +51,8 @@ struct EvaluatedFrame {
 /// "lennard-jones, cut at 2.5 sigma, with tail corrections"
 [[nodiscard]] std::string interaction_in_words(const FluidSpec& spec);
 
-/// The frame as a document. Text: energy, pressure, virial, and the atoms with the largest forces. Data: docs/files.md
-/// lists the keys; vectors and energies of the atoms are in the order of `ids`.
+/// The frame as a document. Text: energy, pressure, virial, and the atoms with the largest forces. Data:
+/// docs/evaluate.md lists the keys; vectors and energies of the atoms are in the order of `ids`.
 [[nodiscard]] Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, const std::string& source);
 
 /// The headings of a table of frames, and the row of one. All entries fit 80 columns.

@@ -34,7 +34,7 @@ void check_analysis_names(const std::vector<std::string>& names);
 /// interaction, or the cutoff is more than half the box. @throws InputError
 void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection);
 
-/// Create analyses for a trajectory. Their settings are those of the deck's [analysis], else defaults. The deck's
+/// Create analyses for a trajectory. Their settings are from the deck's [analysis], else defaults. The deck's
 /// `every`, which counts steps, is converted to frames, at least one; analyses that the deck does not ask for use every
 /// frame. Then `settings`, "analysis.rdf.bins=100", are applied; their `every` counts frames.
 ///

@@ -22,13 +22,13 @@ struct AnalyzedTrajectory {
     std::string xyz_comment{};  ///< keys missing from the comment lines of an extended XYZ file
     Execution execution{};      ///< for the states of the frames
 
-    [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
+    [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units() : std::nullopt; }
 };
 
 /// What a trajectory is told where its file leaves it open, and which frames are measured.
 struct FrameOptions {
     std::optional<double> from = {};          ///< frames before this time are left out [tau]
-    std::optional<double> time_step = {};     ///< see select_frames(); none: that of the deck, for files with steps
+    std::optional<double> time_step = {};     ///< see select_frames(); none: the deck's, for files with steps
     std::string group = {};                   ///< see open_trajectory()
     std::optional<Positions> positions = {};  ///< none: found from the file or the displacements
     std::string xyz_comment = {};
@@ -36,7 +36,7 @@ struct FrameOptions {
 
 /// Read a trajectory once, and select its frames.
 /// @param deck    null: unknown; it outlives the result
-/// @param is_run  the deck is that of the run that wrote the trajectory
+/// @param is_run  the deck is from the run that wrote the trajectory
 /// @param thermo  compute energies and pressures of the frames, see check_thermo()
 /// @throws InputError, DataError as summarize(), select_frames() and check_thermo()
 [[nodiscard]] AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, const Deck* deck, bool is_run,

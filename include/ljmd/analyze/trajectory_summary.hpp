@@ -21,7 +21,7 @@ struct TrajectorySummary {
     bool is_part = false;              ///< the ids have gaps, or do not begin at 0 or 1: there are other atoms
     Vec3 edges;                        ///< of the box of the first frame [sigma]
     Vec3 smallest_edges;               ///< smallest edges over all frames, per axis [sigma]
-    std::optional<Index> box_changes;  ///< the first frame, from 1, whose box differs from that of frame 1
+    std::optional<Index> box_changes;  ///< the first frame, from 1, whose box differs from frame 1's
     bool has_velocities;               ///< true if all frames have velocities
     std::string missing_velocities;    ///< why not: "which the trajectory does not have"
     std::vector<Index> steps;          ///< of the frames; empty if they have none

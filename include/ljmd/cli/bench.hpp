@@ -28,7 +28,7 @@ struct BenchResult {
 };
 
 /// Run a deck like `ljmd run`, with all its outputs, in a temporary directory.
-/// @throws all exceptions of run_deck()
+/// @throws all exceptions of run_plan()
 [[nodiscard]] BenchResult bench(Deck deck, Start start, const Execution& execution);
 
 /// The Lennard-Jones melt of 32000 atoms: inputs/examples/melt-32k.toml at build time.

@@ -26,7 +26,7 @@ class Command {
     [[nodiscard]] Part part() const { return part_; }
     [[nodiscard]] const std::string& meaning() const { return meaning_; }
 
-    /// Add its options and arguments to its parser, whose parent is that of the program. They are kept in members.
+    /// Add its options and arguments to its parser, whose parent is the program's parser. They are kept in members.
     virtual void add_options(CLI::App& command) = 0;
 
     /// Whether processes that mpirun has started can share its work, with the options of the command line.

@@ -17,7 +17,7 @@ void forget_inherited_signals();
 /// send it twice. The other two do not, because queues and the system repeat them.
 void install_stop_handlers();
 
-/// Ignore the signals that ask the program to stop: that of a rank that follows rank 0, which decides for all.
+/// Ignore the signals that ask the program to stop: for a rank that follows rank 0, which decides for all.
 void ignore_stop_signals();
 
 /// The signal that asked to stop, if any.

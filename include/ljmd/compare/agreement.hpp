@@ -57,7 +57,7 @@ struct Agreement {
 
 /// Two programs in double precision. Distances begin at one unit in the last place of a coordinate and grow like
 /// exp(lambda t), with lambda = 3.75/tau in a cold liquid. After a long time the largest distance also grows with the
-/// number of atoms; at step 1000 it differs a thousandfold between starts, so the last limit is that of step 500. A
+/// number of atoms; at step 1000 it differs a thousandfold between starts, so step 500 has the last limit. A
 /// separation is as inexact as the coordinates it is computed from, so all of them are less exact in large boxes.
 /// Trajectories of a hot fluid (T > 1) diverge twice as fast and are compared only up to step 200.
 [[nodiscard]] Agreement double_agreement(const Situation& situation);
@@ -68,7 +68,7 @@ struct Agreement {
 /// One of the two programs computes forces in single precision.
 [[nodiscard]] Agreement single_agreement(const Situation& situation);
 
-/// The limit at a step: that of the first list entry at or after it; nothing beyond the list.
+/// The limit at a step: of the first list entry at or after it; nothing beyond the list.
 [[nodiscard]] std::optional<double> limit_at(const std::vector<Agreement::Limit>& limits, Index step);
 
 /// Largest accepted difference of two means, in standard errors of the difference.

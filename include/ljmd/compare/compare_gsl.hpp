@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/run/run.hpp"
 
 namespace ljmd {

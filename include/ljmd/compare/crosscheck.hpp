@@ -64,8 +64,8 @@ struct Crosscheck {
     [[nodiscard]] Index failures() const;
 };
 
-/// Number of steps of the deck before the comparison: those of the stages before the first sampled one, or before the
-/// last one if none is sampled.
+/// Number of steps of the deck before the comparison: the steps of the stages before the first sampled one, or before
+/// the last one if none is sampled.
 [[nodiscard]] Index steps_before_crosscheck(const Deck& deck);
 
 /// Run the deck's stages before the comparison. @return the moment that is compared

@@ -42,7 +42,7 @@ struct Exported {
 /// @param forces  with the forces of the deck's potential, in extxyz and h5md
 /// @param force   whether existing files of these names are replaced
 /// @throws InputError  the other program does not have this potential, or an external force acted on the atoms; forces
-/// are asked for where the format has none, or their potential or force is that of a program; OutputRefused as
+/// are asked for where the format has none, or their potential or force was given by a program; OutputRefused as
 /// require_writable()
 /// @throws FileError
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,

@@ -31,7 +31,7 @@ class Archive {
     /// For writing into memory.
     Archive() = default;
 
-    /// For writing. @param write  takes the bytes, in order; those of small values come together
+    /// For writing. @param write  takes the bytes, in order; bytes of small values come together
     using Write = std::function<void(std::span<const std::byte>)>;
     explicit Archive(Write write) : write_(std::move(write)) {}
 

@@ -3,7 +3,7 @@
 namespace ljmd {
 
 // Elementary functions that have the same bits on every machine: additions, multiplications, divisions and exact
-// operations alone, each rounded by itself. Those of the C library differ in the last digit from one library, and from
+// operations alone, each rounded by itself. The C library's differ in the last digit from one library, and from
 // one processor, to another. All are within one unit in the last place.
 
 /// ln x; -inf for 0, NaN below.

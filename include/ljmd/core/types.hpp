@@ -14,7 +14,7 @@ using Vec3 = Eigen::Vector3d;
 /// A second-rank tensor in space: virial [epsilon], pressure [epsilon/sigma^3].
 using Mat3 = Eigen::Matrix3d;
 
-/// Numbers from one vector of an atom to that of the next: x, y, z and a zero, so that each begins at a multiple of 32
+/// Numbers from one atom's vector to the next atom's: x, y, z and a zero, so that each begins at a multiple of 32
 /// bytes.
 inline constexpr Index vector_stride = 4;
 

@@ -19,8 +19,8 @@ struct CheckedRun {
     [[nodiscard]] std::optional<Index> atoms() const { return start ? std::optional(start->atoms) : std::nullopt; }
 };
 
-/// Do the checks that need more than the text of a deck: those of its start file, and whether the system grants the
-/// threads.
+/// Do the checks that need more than the text of a deck: the checks of its start file, and whether the system grants
+/// the threads.
 /// @param threads, simd  of a fluid, see execution_options()
 /// @param ranks          that share the fluid; null: this process alone
 /// @param diagnostics    receives the warnings; those about few bodies are all known when the deck has been read

@@ -25,23 +25,13 @@ using AnySystem = std::variant<FluidSystem, FewBodySystem>;
                                     const std::function<void(const std::string&)>& warn,
                                     const std::shared_ptr<ExternalForce>& external = nullptr);
 
-/// The system of a deck before a checkpoint is read into it.
+/// The system of a run before a checkpoint is read into it.
 /// @param edges  of the box; no matter for few bodies, which have none
 /// @param external  as in make_system()
-[[nodiscard]] AnySystem empty_system(const Deck& deck, Index atoms, const Vec3& edges, const Execution& execution,
+[[nodiscard]] AnySystem empty_system(const RunPlan& plan, Index atoms, const Vec3& edges, const Execution& execution,
                                      const std::shared_ptr<ExternalForce>& external = nullptr);
 
-/// Whether a system of the deck can have a box with these edges, which say nothing about few bodies.
-[[nodiscard]] bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges);
-
-/// "fluid" or "few-body", as in run.json.
-[[nodiscard]] std::string kind_name(const Deck& deck);
-
-/// Refuse a deck of the other kind. @param otherwise  says what it lacks  @throws InputError
-void require_fluid(const Deck& deck, const std::string& otherwise);
-void require_few_bodies(const Deck& deck, const std::string& otherwise);
-
-/// The file that a run starts from; nothing if its start is made, or its bodies are in the deck.
-[[nodiscard]] std::optional<std::filesystem::path> start_file(const Deck& deck);
+/// Whether a system of the run can have a box with these edges, which say nothing about few bodies.
+[[nodiscard]] bool is_possible_box(const RunPlan& plan, Index atoms, const Vec3& edges);
 
 }  // namespace ljmd

@@ -32,13 +32,12 @@ struct Start {
 /// sampled_run() of a deck.
 [[nodiscard]] SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box);
 
-/// What a fluid's deck says, as values, with the potential that a program gave. Of a start file nothing is read: the
-/// configuration is empty.
-/// @throws DataError  the deck is that of a run with a potential which is not known here
-[[nodiscard]] FluidSpec fluid_spec(const Deck& deck);
+/// What the tables of a fluid say. Of a start file nothing is read: the configuration is empty.
+/// @pre they make sense, see check_sense()
+[[nodiscard]] FluidSpec spec_of(const FluidTables& tables, const std::optional<SubstanceUnits>& units);
 
-/// The same with the configuration of the start.
-/// @throws DataError when velocities are to be those of a file that has none, or to be drawn without a temperature
+/// fluid_spec() of a deck, with the configuration of its start.
+/// @throws DataError when velocities are to be taken from a file that has none, or to be drawn without a temperature
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck, Start start);
 
 }  // namespace ljmd

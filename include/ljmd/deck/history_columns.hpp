@@ -11,11 +11,11 @@ namespace ljmd {
 /// each by itself, the conserved energy if one has a
 /// thermostat that knows it, SI columns for a substance.
 /// @param order_parameter  the run starts from a lattice
-[[nodiscard]] ThermoColumns thermo_columns(const Deck& deck, bool order_parameter,
+[[nodiscard]] ThermoColumns thermo_columns(const RunPlan& plan, bool order_parameter,
                                            const ExternalForce* external = nullptr);
 
 /// Columns of the trajectories of few bodies: the polar angle if the force has one, accelerations if the deck asks for
 /// them.
-[[nodiscard]] TrajectoryColumns trajectory_columns(const Deck& deck, const FewBodySystem& system);
+[[nodiscard]] TrajectoryColumns trajectory_columns(const RunPlan& plan, const FewBodySystem& system);
 
 }  // namespace ljmd

@@ -9,8 +9,8 @@
 
 namespace ljmd {
 
-/// The steps of a run that are sampled: those of sampled stages, or all if no stage is sampled. In a run of 0 steps the
-/// start is sampled.
+/// The steps of a run that are sampled: the steps of sampled stages, or all if no stage is sampled. In a run of 0 steps
+/// the start is sampled.
 class SampledSteps {
   public:
     explicit SampledSteps(const std::vector<Stage>& stages)

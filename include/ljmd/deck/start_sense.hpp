@@ -7,7 +7,7 @@ namespace ljmd {
 
 /// Warn of keys in [system] that have no effect, given the start. `temperature`: no thermostat uses it, and the
 /// velocities are kept, or are drawn at a temperature that no thermostat holds. `seed`: nothing is random.
-/// @param keeps_velocities  whether those of the start file are kept
+/// @param keeps_velocities  whether the start file's are kept
 /// @pre  the deck has no errors
 void check_start_effects(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics);
 

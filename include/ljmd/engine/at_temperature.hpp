@@ -18,14 +18,14 @@ struct AtTemperature {
 /// Means of temperature, potential energy per atom and pressure, in this order.
 using MeansOfState = Vec3;
 
-/// Estimate of a value computed from such means; the gradient is that of the value with respect to them.
+/// Estimate of a value computed from such means; the gradient is the value's with respect to them.
 using EstimateFromMeans = std::function<Estimate(double value, const Vec3& gradient)>;
 
 /// Convert means from the measured temperature T to another one, T_0, with an equation of state of the same fluid:
 ///
 ///     Z(T_0) = <p>/(rho <T>) + Z_m(T_0) - Z_m(<T>),    U(T_0) = <u> + U_m(T_0) - U_m(<T>),    p(T_0) = rho T_0 Z(T_0)
 ///
-/// The errors follow from those of the three series together (delta method): at constant energy they fluctuate
+/// The errors follow from the errors of the three series together (delta method): at constant energy they fluctuate
 /// together, and the part that fluctuations of T explain is no error at a given T. The error of the equation of state
 /// in the difference is not included; it vanishes with T_0 - <T>.
 /// @pre density > 0, <T> > 0, T_0 > 0

@@ -91,7 +91,7 @@ class FluidMeasurement : public RunMeasurement {
     SearchStatistics search_before_;  ///< and by its search before the time loop
 };
 
-/// The averages of a run that `until` has ended: those whose errors were wanted have that of stopped_estimate().
+/// The averages of a run that `until` has ended: those whose errors were wanted have the error of stopped_estimate().
 void widen_wanted(std::vector<ObservableAverage>& averages, const std::vector<WantedError>& wanted);
 
 }  // namespace ljmd

@@ -27,7 +27,7 @@ struct LatticeStart {
     Lattice lattice = Lattice::fcc;
     Index cells = 6;                    ///< cubic cells along x and y, and along z; an fcc cell has 4 atoms
     std::optional<Index> layers = {};   ///< cubic cells along z instead
-    std::optional<double> height = {};  ///< edge of the box along z [sigma], at least that of the crystal
+    std::optional<double> height = {};  ///< edge of the box along z [sigma], at least the crystal's
 
     [[nodiscard]] Index layers_along_z() const { return layers.value_or(cells); }
 };
@@ -71,7 +71,7 @@ struct FluidSpec {
     std::variant<LatticeStart, RandomStart, Configuration> start = LatticeStart{};
     double density = 0.8442;                    ///< N/V of a random start; of the crystal of a lattice start [sigma^-3]
     std::optional<double> temperature = 0.722;  ///< of drawn velocities [epsilon/k_B]; stages may have their own
-    bool keep_velocities = true;                ///< those of a configuration that has any; else all are drawn
+    bool keep_velocities = true;                ///< a configuration's, if it has any; else all are drawn
     std::uint64_t seed = 1;                     ///< of all random numbers, but for stages with a seed of their own
 
     PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
@@ -109,7 +109,7 @@ struct FluidSpec {
 /// start, options of plug-ins. @throws InputError for a plug-in or an option that is not known
 [[nodiscard]] std::vector<Stage> resolved_stages(const FluidSpec& spec);
 
-/// Whether the velocities at the start are those of its configuration; else they are drawn.
+/// Whether the velocities at the start are its configuration's; else they are drawn.
 [[nodiscard]] bool keeps_velocities(const FluidSpec& spec);
 
 /// The run as analyses see it: the time step of the first sampled stage and the length of the longest one; of the last
@@ -117,8 +117,8 @@ struct FluidSpec {
 [[nodiscard]] SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box);
 
 /// The ensemble of the samples of a run. Without a barostat, several sampled stages have none: their samples do not
-/// fluctuate like those of one.
-/// @param external  there is an external force: fluctuations are not those of a homogeneous fluid, nor of one whose
+/// fluctuate like samples of one.
+/// @param external  there is an external force: fluctuations are not as in a homogeneous fluid, nor as in one whose
 /// centre of mass rests
 [[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external = false);
 

@@ -44,7 +44,7 @@ struct FluidSystem {
 void place_configuration(State& state, const Configuration& configuration);
 
 /// Place the atoms, set velocities, and create forces and analyses. The centre of mass is at rest; under an external
-/// force it moves as that of the configuration does whose velocities are kept.
+/// force it moves as in the configuration, if velocities are kept.
 /// @param execution  computes all of it
 /// @param warn       receives one line per remark for the user
 /// @pre mistakes() finds none  @throws DataError as place_configuration, PhysicsError as relax

@@ -10,7 +10,7 @@
 
 namespace ljmd {
 
-/// The temperature requested for the sampled stages of a run: that of their thermostat, else of the last
+/// The temperature requested for the sampled stages of a run: their thermostat's, else of the last
 /// thermostat before them, else of the start. Nothing if none is requested, or several.
 [[nodiscard]] std::optional<double> requested_temperature(const FluidSpec& spec);
 

@@ -7,8 +7,8 @@
 namespace ljmd {
 
 /// With a translational order above this when sampling begins, the crystal of the start is not gone, and samples are
-/// neither those of a crystal nor those of a liquid: 0.1, or 5 times the scatter (6 N)^(-1/2) of the order of N molten
-/// atoms, which is a mean of 3 N cosines. @pre atoms > 0
+/// neither of a crystal nor of a liquid: 0.1, or 5 times the scatter (6 N)^(-1/2) of the order of N molten atoms, which
+/// is a mean of 3 N cosines. @pre atoms > 0
 [[nodiscard]] double largest_molten_order(Index atoms);
 
 /// The remark on a large energy drift in a stage of a fluid; empty if the drift is small, or undefined. It is large if

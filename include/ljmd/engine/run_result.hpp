@@ -62,7 +62,7 @@ struct RunResult {
     std::vector<ObservableAverage> averages;
     std::optional<double> requested_temperature;         ///< see requested_temperature()
     std::optional<AtRequestedTemperature> at_requested;  ///< converted, if the run missed that temperature
-    std::optional<std::string> equation_of_state;        ///< name of that of this fluid, see equation_of_fluid()
+    std::optional<std::string> equation_of_state;        ///< name of this fluid's, see equation_of_fluid()
     std::optional<double> order_at_sampling;             ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses
@@ -74,7 +74,7 @@ struct RunResult {
 
     std::string too_near = {};  ///< of pairs nearer than the potential's table, see PairsTooNear; empty: none were
 
-    std::vector<std::string> doubts = {};  ///< those of the warnings that no remark on an observable repeats
+    std::vector<std::string> doubts = {};  ///< the warnings that no remark on an observable repeats
 
     /// The observable of this name. @throws InputError naming all, if there is none
     [[nodiscard]] const ObservableAverage& observable(const std::string& name) const;

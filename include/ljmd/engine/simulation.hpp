@@ -30,7 +30,7 @@ namespace ljmd {
 /// trajectory, to the last bit, as a deck that says the same.
 class Simulation {
   public:
-    /// Place the atoms and draw their velocities. Stages whose seed is 0 get that of the specification, as in a deck.
+    /// Place the atoms and draw their velocities. Stages whose seed is 0 get the specification's, as in a deck.
     /// @throws InputError with all mistakes of the specification; DataError, PhysicsError  see make_fluid()
     explicit Simulation(FluidSpec spec, const Execution& execution = {});
     ~Simulation();
@@ -64,9 +64,9 @@ class Simulation {
     /// All samples since the simulation was made or restored: of the start, with the first call of run() or advance(),
     /// and then every `sample_every` steps.
     [[nodiscard]] const std::vector<ThermoRow>& samples() const;
-    /// Energies per atom, temperature and pressure of the atoms as they are now: those of the last sample if it is of
-    /// this step. Otherwise the forces are evaluated on a copy, which takes as long as a step that rebuilds the list,
-    /// and changes nothing.
+    /// Energies per atom, temperature and pressure of the atoms as they are now: from the last sample, if it is of this
+    /// step. Otherwise the forces are evaluated on a copy, which takes as long as a step that rebuilds the list, and
+    /// changes nothing.
     [[nodiscard]] Thermodynamics thermodynamics() const;
     /// Remarks on the start, for the user.
     [[nodiscard]] const std::vector<std::string>& warnings() const;

@@ -20,7 +20,7 @@ class StabilityWatch {
     /// @throws PhysicsError naming the fastest atom, if it moves half a sigma or more in one step
     void check_speeds(const State& state) const;
 
-    /// Compare the total energy with that of the first call. It may rise by a tenth of an epsilon and a tenth of the
+    /// Compare the total energy with the first call's. It may rise by a tenth of an epsilon and a tenth of the
     /// kinetic energy per atom, and by what a plain cut adds when a few pairs of each atom cross it. Sound runs stay
     /// far below that.
     /// @throws PhysicsError if it has risen more, in a stage at constant energy

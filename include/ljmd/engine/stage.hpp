@@ -22,7 +22,7 @@ struct Stage {
     Choice integrator = {"velocity-verlet"};
     double time_step = 0.004;                ///< [tau]; a deck has to say it
     Index steps = 0;                         ///< with `until` the largest number of them
-    std::optional<double> temperature = {};  ///< target of the thermostat [epsilon/k_B]; none: that of the start
+    std::optional<double> temperature = {};  ///< target of the thermostat [epsilon/k_B]; none: the start's
     bool sample = false;                     ///< whether observables are measured
     bool reverse = false;                    ///< whether the motion is reversed before the first step
     std::optional<Choice> thermostat = {};

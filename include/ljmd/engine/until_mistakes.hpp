@@ -16,7 +16,7 @@ struct UntilObservable {
     std::string unit;  ///< reduced
 };
 
-/// The observables that `until` in a stage knows: those of thermo.csv that RunAverages gives an error for.
+/// The observables that `until` in a stage knows: the ones in thermo.csv that RunAverages gives an error for.
 [[nodiscard]] const std::vector<UntilObservable>& until_observables();
 
 /// The rules for stages that end when errors are reached: only the last stage, sampled, with errors above 0 of

@@ -61,8 +61,8 @@ class ExactSum {
     static constexpr std::size_t digit_count = 68;
     using Words = std::array<std::int64_t, digit_count + 3>;
 
-    /// The sum as whole numbers. Added one by one to those of other sums, a million at most, they make the words of the
-    /// sum of all.
+    /// The sum as whole numbers. Added one by one to the numbers of other sums, a million at most, they make the words
+    /// of the sum of all.
     [[nodiscard]] Words words() const;
     /// A sum from its words.
     explicit ExactSum(const Words& words) : words_(words), pending_(most_sums) {}

@@ -15,7 +15,7 @@ namespace ljmd {
 [[nodiscard]] bool is_first_launched();
 
 /// Number of processes that a launcher has started together, this one among them; 1 without a launcher. Where the
-/// launcher tells ranks alone, it is the least number that fits that of this process.
+/// launcher tells ranks alone, it is the least number that fits this process's rank.
 [[nodiscard]] int launched_processes();
 
 }  // namespace ljmd

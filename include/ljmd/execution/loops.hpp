@@ -76,7 +76,7 @@ template <class T, class Yield, class Join>
     return start;
 }
 
-/// Add to each sum those of the other ranks. Collective.
+/// Add to each sum the other ranks' sums. Collective.
 inline void add_other_ranks(Ranks& ranks, std::span<ExactSum> sums) {
     if (ranks.alone()) {
         return;

@@ -21,7 +21,7 @@ struct RankNumerics {
     std::vector<SimdLevel> usable;
 };
 
-/// Those of this process.
+/// The numerics of this process.
 [[nodiscard]] RankNumerics own_numerics(std::optional<SimdLevel> asked);
 
 /// The level with which all ranks compute.

@@ -41,7 +41,7 @@ class Ranks {
 
     using Bytes = std::vector<std::byte>;
     /// Give every rank a message; empty ones cost little. @param messages  one for each rank, itself included
-    /// @return those of each rank to this one
+    /// @return each rank's message to this one
     [[nodiscard]] virtual std::vector<Bytes> exchange(std::vector<Bytes> messages) = 0;
 
     /// A message whose length both ranks know.

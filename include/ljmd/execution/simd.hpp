@@ -7,11 +7,11 @@
 
 namespace ljmd {
 
-/// Instruction sets that the kernels (pair sum, list building) are compiled for. The levels of x86-64 are those of its
-/// psABI: v2 has SSE4.2, v3 AVX2 and FMA, v4 AVX-512. v4_256 is AVX-512 with vectors of 256 bits, for processors whose
-/// units have half the width of its registers, as AMD's Zen 4. v4_intel is AVX-512 arranged for processors whose
-/// divisions are slow and whose multipliers also add, as Intel's do. `neon` is that of ARM64. `portable` is the same
-/// code compiled for the processor that the rest of the program is compiled for.
+/// Instruction sets that the kernels (pair sum, list building) are compiled for. The levels of x86-64 are defined by
+/// its psABI: v2 has SSE4.2, v3 AVX2 and FMA, v4 AVX-512. v4_256 is AVX-512 with vectors of 256 bits, for processors
+/// whose units have half the width of its registers, as AMD's Zen 4. v4_intel is AVX-512 arranged for processors whose
+/// divisions are slow and whose multipliers also add, as Intel's do. `neon` is the level of ARM64. `portable` is the
+/// same code compiled for the processor that the rest of the program is compiled for.
 ///
 /// In double precision all but v4_intel have the same digits: they add in one order, and fuse no product with a sum.
 /// See digits_rule() and docs/digits.md.

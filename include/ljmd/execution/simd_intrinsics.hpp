@@ -165,7 +165,7 @@ LJMD_INLINE unsigned bits_of_less(RawVector<float, lanes> a, RawVector<float, la
 }
 
 /// Write numbers whose bit is set to consecutive places, of every `step`-th lane.
-/// @param bits  one per lane; only those of the lanes 0, step, 2 step, ... may be set
+/// @param bits  one per lane; only bits of the lanes 0, step, 2 step, ... may be set
 /// @return how many  @pre room at `to` for all lanes
 template <int lanes, int step>
 LJMD_INLINE int pack(const std::int32_t* numbers, unsigned bits, std::int32_t* to) {

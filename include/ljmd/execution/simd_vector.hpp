@@ -17,11 +17,11 @@
 /// LJMD_SIMD_256 marks the level with the instructions and registers of AVX-512 for vectors of 256 bits,
 /// LJMD_SIMD_FOR_INTEL the one for processors whose divisions are slow and whose multipliers also add.
 ///
-/// The arithmetic is that of the compilers' vector extension (gcc 12, clang); simd_intrinsics.hpp adds what it lacks.
+/// The arithmetic is done by the compilers' vector extension (gcc 12, clang); simd_intrinsics.hpp adds what it lacks.
 namespace ljmd::simd {
 
-/// A vector of `lanes` numbers of type T. Operators act on each lane and round as those of T; nothing is fused except
-/// by multiply_add().
+/// A vector of `lanes` numbers of type T. Operators act on each lane and round as T's operators do; nothing is fused
+/// except by multiply_add().
 /// @tparam Level  tag of the SIMD level, see above
 template <class T, int lanes_, class Level>
 struct Vec {

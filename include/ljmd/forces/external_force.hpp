@@ -54,11 +54,11 @@ class ExternalForce {
     [[nodiscard]] virtual std::string name() const = 0;
 
     /// Whether it has a potential energy: f = -grad U_ext(r), and U_ext does not depend on time. Then the total energy
-    /// includes U_ext and is conserved. Without one the total energy is that of atoms on which work is done.
+    /// includes U_ext and is conserved. Without one the total energy belongs to atoms on which work is done.
     [[nodiscard]] virtual bool has_energy() const { return true; }
 
     /// Whether it tells its part of the virial, W_ab = -dU_ext/d(eps_ab) when box and positions are stretched by 1 +
-    /// eps together. It is added to that of the pairs, and so to the pressure. It is 0 for a field that scales with the
+    /// eps together. It is added to the pairs' virial, and so to the pressure. It is 0 for a field that scales with the
     /// box, as U_0 cos(2 pi x/L). A barostat needs it.
     [[nodiscard]] virtual bool has_virial() const { return false; }
 

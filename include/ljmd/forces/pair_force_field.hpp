@@ -27,7 +27,7 @@ namespace ljmd {
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
-    /// @param execution  SIMD level and precision of the sum; the threads are those of the state that is evaluated
+    /// @param execution  SIMD level and precision of the sum; the threads are taken from the state that is evaluated
     /// @throws ContractViolation for mixed precision without a Verlet list, or of a custom potential
     PairForceField(PairPotential potential, PairSearch search, const Execution& execution = {});
 

@@ -35,7 +35,7 @@ struct Update {
     double moves = 0.0;  ///< time by which it moves the positions on [tau]
 };
 
-/// A change of velocities while forces may be stale, such as that of a thermostat in the middle of a drift.
+/// A change of velocities while forces may be stale, such as a thermostat's in the middle of a drift.
 struct Thermalise {
     std::function<void(State&)> apply;
 };

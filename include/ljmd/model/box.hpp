@@ -9,7 +9,7 @@ namespace ljmd {
 /// Coordinates lie on a grid of spacing g = `resolution()`, the smallest power of two with 2^52 g > 1.5 L, where L is
 /// the longest edge; the edges lie on it, too. Doubles hold every grid point within +-3 L exactly. So a periodic image
 /// is the atom plus whole edges to the last bit, r_ij = -r_ji exactly for any images, and wrapping an atom into the box
-/// changes no force. The price is one rounding per step, about that of a double.
+/// changes no force. The price is one rounding per step, about as coarse as a double's.
 class Box {
   public:
     /// @param edges  edge lengths [sigma]; each is rounded to the grid (by less than 1e-15 of the longest)

@@ -48,7 +48,7 @@ struct NearestCells {
 [[nodiscard]] Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density);
 
 /// A site of cells x cells x layers cubic cells; site 0 lies at the origin.
-/// @param edges  of the crystal [sigma], at most those of the box
+/// @param edges  of the crystal [sigma], at most the box's
 /// @param box    on whose grid the sites lie
 /// @return position [sigma] inside the box
 [[nodiscard]] Vec3 lattice_site(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box,
@@ -65,7 +65,7 @@ struct NearestCells {
 /// A position drawn uniformly in the box. It depends on box, seed and atom id only.
 [[nodiscard]] Vec3 random_position(const Box& box, std::uint64_t seed, Index id);
 
-/// Those of the atoms 0 to N - 1; atoms may overlap.
+/// Such positions of the atoms 0 to N - 1; atoms may overlap.
 [[nodiscard]] std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed);
 
 }  // namespace ljmd

@@ -14,18 +14,18 @@
 
 namespace ljmd {
 
-/// Archives lists that have some numbers for each atom, where the atoms are shared among ranks. The bytes are those of
-/// one list for all atoms, in the order of the ranks. They pass through rank 0 piece by piece, so that no rank needs
-/// room for more than its own part.
+/// Archives lists that have some numbers for each atom, where the atoms are shared among ranks. The bytes are the same
+/// as of one list for all atoms, in the order of the ranks. They pass through rank 0 piece by piece, so that no rank
+/// needs room for more than its own part.
 class SharedArchive {
   public:
     /// Collective.
-    /// @param a      of several ranks, that of rank 0 is written to
+    /// @param a      of several ranks, rank 0's is written to
     /// @param here   number of atoms of this rank, of `total`
     SharedArchive(Archive& a, Ranks& ranks, Index here, Index total);
 
     /// Write the numbers of all ranks. Collective.
-    /// @param here  those of this rank: `per_atom` for each of its atoms
+    /// @param here  this rank's numbers: `per_atom` for each of its atoms
     template <class T>
     void write(std::span<const T> here, Index per_atom) {
         const std::size_t size = sizeof(T) * static_cast<std::size_t>(per_atom);

@@ -37,7 +37,7 @@ using ConstPaddedView = Eigen::Map<const Eigen::Array<double, vector_stride, Eig
 /// images, which belong to the neighbour search and have no other properties).
 ///
 /// Where several ranks share a system (Execution::ranks()), each has a part of the atoms: count() of total(). Loops run
-/// over the atoms that are here; sum_over() adds up those of all ranks. Ghosts are then atoms of other ranks.
+/// over the atoms that are here; sum_over() adds up all ranks' atoms. Ghosts are then atoms of other ranks.
 ///
 /// Fluids are in reduced units: sigma = epsilon = m = k_B = 1. Few-body systems have no box and use the units of their
 /// deck.
@@ -114,7 +114,7 @@ class State {
     /// @pre order is a permutation of 0 ... N-1
     void reorder(const std::vector<Index>& order);
 
-    /// Send atoms to other ranks, and take in what they send. Those that stay keep their order; those of other ranks
+    /// Send atoms to other ranks, and take in what they send. Atoms that stay keep their order; atoms from other ranks
     /// follow, rank by rank. Ghosts are dropped. Collective.
     /// @param destinations  the rank of each atom here
     void migrate(const std::vector<int>& destinations);

@@ -27,7 +27,7 @@ namespace ljmd {
 /// tile by tile and column by column, and clusters are numbered in it.
 ///
 /// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
-/// alone. They are numbered half by half: first all of one half of the box, then those of the other half, and likewise
+/// alone. They are numbered half by half: first all of one half of the box, then all of the other half, and likewise
 /// within each half, so that any run of consecutive tiles is compact, and threads that share the tiles in consecutive
 /// runs have few neighbours. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may
 /// be within `range` of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the
@@ -83,10 +83,10 @@ class ClusterGrid {
     [[nodiscard]] Halo& halo() { return halo_; }
     [[nodiscard]] const Halo& halo() const { return halo_; }
 
-    // Clusters, columns and tiles are numbered as they are here: those of other ranks' tiles in the halo follow the own
-    // ones, and tile 0 is the first one of this rank.
+    // Clusters, columns and tiles are numbered as they are here: the ones of other ranks' tiles in the halo follow the
+    // own ones, and tile 0 is the first one of this rank.
 
-    /// Number of the first tile here among those of all ranks.
+    /// Number of the first tile here among the tiles of all ranks.
     [[nodiscard]] Index first_tile() const { return first_tile_; }
     /// Number of tiles along x, y and z, and where among them each tile of all ranks lies.
     [[nodiscard]] const std::array<int, 3>& tiles_along() const { return tiles_along_; }
@@ -164,7 +164,7 @@ class ClusterGrid {
         std::int32_t column = 0;
         bool ghost = false;
     };
-    /// A column that may have atoms within range of those of another one.
+    /// A column that may have atoms within range of another column's atoms.
     struct Near {
         Column column;
         double reach;  ///< largest distance along z at which atoms can be within range [sigma]
@@ -198,7 +198,7 @@ class ClusterGrid {
         std::int32_t within;
         Place operator+(const Place& other) const { return {tile + other.tile, within + other.within}; }
     };
-    /// Number of the column among those of all ranks.
+    /// Number of the column among the columns of all ranks.
     [[nodiscard]] std::int32_t column_of_all(const Place& place) const {
         return tile_numbers_[static_cast<std::size_t>(place.tile)] * columns_per_tile() + place.within;
     }
@@ -214,7 +214,7 @@ class ClusterGrid {
                along_z[static_cast<std::size_t>(cell[2])];
     }
     [[nodiscard]] std::int32_t column_at(const Cell& cell) const { return column_at(place_of(cell)); }
-    /// The rank of a column, by its number among those of all ranks.
+    /// The rank of a column, by its number among the columns of all ranks.
     [[nodiscard]] int rank_of(std::int32_t column) const;
     void share_tiles(const Ranks& ranks, double halo);
     void find_halo(double halo);
@@ -246,7 +246,7 @@ class ClusterGrid {
         int side;      ///< where the column's tile lies, seen from this one: -1, 0 (same tile) or 1
         bool in_range;
     };
-    /// @param first  lowest column of the tile  @param cell  that of the column, perhaps outside the box
+    /// @param first  lowest column of the tile  @param cell  of the column, perhaps outside the box
     /// @param range  [sigma]
     [[nodiscard]] Seen seen_from(const Cell& first, const Cell& cell, double range) const;
     [[nodiscard]] Run ghosts_of_column(std::int32_t column, double shift, double low, double high) const;
@@ -276,11 +276,12 @@ class ClusterGrid {
     /// For each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
-    Run own_columns_{0, 0};  ///< among those of all ranks
+    Run own_columns_{0, 0};  ///< among the columns of all ranks
     Index first_tile_ = 0;
     std::vector<std::int64_t> work_;
-    std::vector<std::int32_t> first_columns_;        ///< of each rank among those of all; then the number of all
-    std::vector<std::int32_t> halo_columns_;         ///< numbers among those of all, from the lowest up
+    std::vector<std::int32_t> first_columns_;        ///< of each rank among the columns of all ranks; then the number
+                                                     ///< of all
+    std::vector<std::int32_t> halo_columns_;         ///< numbers among the columns of all ranks, from the lowest up
     std::vector<Heights> halo_heights_;              ///< of those columns
     std::vector<std::int32_t> clusters_below_halo_;  ///< of those columns: clusters that were not wanted
     struct WantedColumn {
@@ -291,7 +292,8 @@ class ClusterGrid {
         std::uint32_t atoms;
         std::int32_t clusters_below;
     };
-    std::vector<std::int32_t> numbers_here_;  ///< by the number among those of all; empty without other ranks
+    std::vector<std::int32_t> numbers_here_;  ///< by the number among the columns of all ranks; empty without other
+                                              ///< ranks
     Halo halo_;
     std::vector<std::int32_t> tile_numbers_;  ///< of the tiles as they lie along x, then y, then z
     std::vector<Cell> tile_cells_;            ///< place of each tile along x, y and z

@@ -9,9 +9,9 @@
 
 namespace ljmd {
 
-/// Sorts atoms into columns, and those of a column by z, then by id. All threads of the state take part; the order does
-/// not depend on their number. The memory that this takes is kept for the next time, because fresh memory would cost
-/// more than the sort.
+/// Sorts atoms into columns, and the atoms of a column by z, then by id. All threads of the state take part; the order
+/// does not depend on their number. The memory that this takes is kept for the next time, because fresh memory would
+/// cost more than the sort.
 class ColumnSort {
   public:
     /// Sets column[i] to the column of each atom i of [first, last).

@@ -21,7 +21,7 @@ class GhostRoutes {
 
     /// Forces for consecutive atoms here, three numbers an atom.
     struct Export {
-        std::int32_t tile;     ///< whose ghost forces they are among; -1: those of other ranks
+        std::int32_t tile;     ///< whose ghost forces they are among; -1: among other ranks' forces
         std::uint32_t offset;  ///< of their first number there
         std::uint32_t first;   ///< first atom
         std::uint32_t count;

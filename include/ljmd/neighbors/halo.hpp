@@ -15,7 +15,7 @@ class Halo {
   public:
     /// Send the positions of these atoms to a rank, in this order.
     void send(int to, std::vector<AtomRange> atoms);
-    /// Expect as many positions from a rank; they are the ghosts after those of the ranks before.
+    /// Expect as many positions from a rank; they are the ghosts after the ones of the ranks before.
     void receive(int from, Index atoms);
     void clear();
 

@@ -25,7 +25,7 @@ namespace ljmd {
 /// Exact but for rounding: pairs count as missed within a cutoff that is wider by a factor of 1 + 5e-7.
 /// Collective where ranks share the atoms.
 /// @param grid    columns and clusters of the atoms in their present order
-/// @param before  positions when they were sorted, those of the ghosts after them, laid out as for
+/// @param before  positions when they were sorted, the ghosts' after them, laid out as for
 /// squared_displacement() [sigma]
 /// @param cutoff  > 0 [sigma]  @param skin  >= 0 [sigma]
 /// @pre with other ranks, a halo of cutoff + 2 skin at least, wider by a factor of 1 + 5e-7

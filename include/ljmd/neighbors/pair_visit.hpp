@@ -13,8 +13,8 @@ struct PairVisit {
     double dx, dy, dz;  ///< r_i - r_j of the nearest image [sigma]
     bool once;  ///< true: this is the only visit of the pair and counts for j, too, which may be of another part;
                 ///< false: j visits i in turn
-    bool upper = false;  ///< j lies in the upper half of its cluster: those of one half come in an order that all lists
-                         ///< have, whatever the shape of their rows
+    bool upper = false;  ///< j lies in the upper half of its cluster: visits to one half come in an order that all
+                         ///< lists have, whatever the shape of their rows
 };
 
 /// Atoms [first, last).

@@ -13,7 +13,7 @@ struct Neighbor {
     Index i;            ///< the atom, an index of PairsWithin::atoms()
     Index j;            ///< its neighbour; at least atoms().count() for the image of an atom
     double dx, dy, dz;  ///< r_i - r_j [sigma]
-    double r2;          ///< squared distance [sigma^2], below that of the cutoff
+    double r2;          ///< squared distance [sigma^2], below the squared cutoff
 };
 
 /// All pairs of a configuration within a cutoff, for sums that the force kernels do not compute. Works on a copy of the

@@ -69,7 +69,7 @@ class VerletList {
         /// Cluster parts, by the numbers of clusters within the tile. They belong to clusters that come after the row's
         /// own, and to ghost clusters; and the upper half of the row's own cluster, if the row lies in the lower one.
         /// The part that the row lies in is not listed; its pairs are computed without an entry. Where parts are halves
-        /// of clusters, those of the half that the row lies in come first, then those of the other half. So each half
+        /// of clusters, parts in the half that the row lies in come first, then parts in the other half. So each half
         /// has sums of its own. The part that begins at slot k of cluster c is the entry 12 c + k, the index of its
         /// first x in TilePositions. After the last row follow list_kernel_slack entries of cluster 0, for kernels that
         /// read ahead.
@@ -83,7 +83,7 @@ class VerletList {
     /// Where the forces on ghost clusters belong.
     [[nodiscard]] const GhostRoutes& routes() const { return routes_; }
     [[nodiscard]] GhostRoutes& routes() { return routes_; }
-    /// Work of the tiles before each one, in list entries; then that of all. For loops in which threads share the
+    /// Work of the tiles before each one, in list entries; then the work of all. For loops in which threads share the
     /// tiles.
     [[nodiscard]] std::span<const std::int64_t> work_before() const { return work_before_; }
     [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }

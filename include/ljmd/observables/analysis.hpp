@@ -113,7 +113,7 @@ class AnalysisOptions {
 /// How a table of an analysis is drawn.
 struct AnalysisChart {
     const char* file;  ///< one of AnalysisMethod::files
-    const char* x;     ///< its columns; errors are those of y + "_standard_error"
+    const char* x;     ///< its columns; errors are in y + "_standard_error"
     const char* y;
     const char* title;
     const char* caption = "";          ///< empty: says what the band of errors is
@@ -133,7 +133,7 @@ struct AnalysisMethod {
     bool follows_time = false;       ///< compares configurations at different times
     AnalysisNeeds needs = {};
     bool is_random = false;                      ///< it draws random numbers
-    std::vector<KnownQuantity> quantities = {};  ///< columns of its tables and results, but for those of samples
+    std::vector<KnownQuantity> quantities = {};  ///< columns of its tables and results, but for the samples'
     std::vector<AnalysisChart> charts = {};
     std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };

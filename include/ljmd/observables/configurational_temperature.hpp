@@ -11,8 +11,8 @@ namespace ljmd {
 /// In the canonical ensemble it is the temperature, exactly and for any number of atoms (integrate div grad exp(-U/T)
 /// by parts); at constant energy except for terms of order 1/N. A difference from the kinetic temperature tells of a
 /// time step that is too long (velocity Verlet: by the fraction that TimeStepError gives), of a system that is not in
-/// equilibrium, or of wrong forces. The Laplacian is that of PairCurvature, with the term of a force that jumps at the
-/// cutoff.
+/// equilibrium, or of wrong forces. The Laplacian is taken from PairCurvature, with the term of a force that jumps at
+/// the cutoff.
 ///
 /// Observable: configurational_temperature [epsilon/k_B]. Error by block averaging, as of a ratio of two means.
 /// Sources: Rugh (1997), doi:10.1103/PhysRevLett.78.772; Butler, Ayton, Jepps and Evans (1998), doi:10.1063/1.477301;

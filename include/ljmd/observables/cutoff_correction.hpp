@@ -4,8 +4,8 @@
 
 namespace ljmd {
 
-/// What the cutoff of a run does to energy and pressure: the numbers to add to its averages for those of the formula
-/// without truncation.
+/// What the cutoff of a run does to energy and pressure: the numbers to add to its averages for the formula without
+/// truncation.
 ///
 /// U_R is the energy of a configuration by the formula, with all pairs up to a radius R, at most half the box, and with
 /// tail corrections for g = 1 beyond it; U that by which the atoms move, with the tail correction of the run. With

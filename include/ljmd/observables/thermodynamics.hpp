@@ -15,9 +15,10 @@ namespace ljmd {
 /// mean is the thermodynamic pressure whether or not momentum is conserved. The kinetic part of the tensor is scaled
 /// likewise. A single atom has no motion about the centre of mass, so it has neither temperature nor pressure.
 ///
-/// With an external force nothing of this changes: the temperature is that of 3 N - 3 degrees of freedom, the motion
-/// about the centre of mass. Whether the force lets the centre of mass rest, move thermally or fall, in any direction,
-/// 2 K - P^2/M is 3 N - 3 times T. The pressure is that of the pairs, and of the force if it tells its virial.
+/// With an external force nothing of this changes: the temperature is measured with 3 N - 3 degrees of freedom, the
+/// motion about the centre of mass. Whether the force lets the centre of mass rest, move thermally or fall, in any
+/// direction, 2 K - P^2/M is 3 N - 3 times T. The pressure is from the pairs, and from the force if it tells its
+/// virial.
 struct Thermodynamics {
     std::optional<double> temperature;    ///< of the motion about the centre of mass [epsilon/k_B]; empty for one atom
     double potential_energy = 0.0;        ///< U/N + u_tail, of the pairs [epsilon]

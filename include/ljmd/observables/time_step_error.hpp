@@ -12,7 +12,7 @@ namespace ljmd {
 ///
 ///     (h^2/4) <sum f^2/m - F^2/M>/<sum m v^2 - P^2/M>     (w h/2)^2 for oscillators of angular frequency w
 ///
-/// It is that of the motion about the centre of mass, which an external force may let fall; F is the force on it. In
+/// It is for the motion about the centre of mass, which an external force may let fall; F is the force on it. In
 /// fluids T_conf/T - 1 is 1.3 to 3 times as large, because stiff pairs count most in T_conf (docs/averages.md).
 ///
 /// For oscillators within the stability limit of velocity Verlet (w h < 2), the ratio of kinetic to potential energy is

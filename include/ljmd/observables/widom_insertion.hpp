@@ -16,7 +16,7 @@ namespace ljmd {
 /// ones, and its standard error does not show that. There is no value in two cases:
 ///
 /// - The error exceeds T/4: fewer than 16 insertions or configurations dominate the mean.
-/// - The energy of the inserted particles exceeds that of an atom by more than T. With the weights of the mean they are
+/// - The energy of the inserted particles exceeds an atom's by more than T. With the weights of the mean they are
 ///   equal, <psi exp(-psi/T)>/<exp(-psi/T)> = 2 <U>/N, because an inserted particle is an atom like the others (Shing
 ///   and Gubbins (1982), doi:10.1080/00268978200100841, compare the distributions). If psi is too high, insertions at
 ///   low energies are missing.
@@ -25,9 +25,9 @@ namespace ljmd {
 /// remaining results have a mean deviation of at most 0.6 errors and a scatter of 0.5 to 1.15 errors about the true
 /// value; without the second criterion, up to 8 errors.
 ///
-/// In a film of liquid in its vapour it is that of the whole box, mu - T ln(Lambda^3 N/V) with N/V of liquid and vapour
-/// together, neither that of the liquid nor that of the vapour; a remark says so. Standard errors by block averaging
-/// over configurations.
+/// In a film of liquid in its vapour it is the value of the whole box, mu - T ln(Lambda^3 N/V) with N/V of liquid and
+/// vapour together, neither the liquid's nor the vapour's; a remark says so. Standard errors by block
+/// averaging over configurations.
 /// Observable: excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit,
 /// section 7.2.3
 class WidomInsertion : public BlockMeans {

@@ -37,8 +37,8 @@ void report_wrong_kind(const KeyContext& context, const Value& value);
 
 /// Check and convert the value of a non-table key. Kind::number becomes a double in reduced units (-0 as +0),
 /// Kind::quantity a double in SI, Kind::vector as many doubles as allowed, other kinds bool, int64 or string. Each
-/// mistake is reported, that of a component at its own place. The result always has the type of the key, and lies in
-/// its range if the range holds any number.
+/// mistake is reported, a component's at its own place. The result always has the type of the key, and lies in its
+/// range if the range holds any number.
 [[nodiscard]] PlainValue checked_value(const KeyContext& context, const Value& value);
 
 }  // namespace ljmd

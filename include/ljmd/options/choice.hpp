@@ -10,7 +10,7 @@
 
 namespace ljmd {
 
-/// A plug-in by its name, with those of its options that are given: {"langevin", {{"time", 0.5}}}. Options that are
+/// A plug-in by its name, with the options that are given: {"langevin", {{"time", 0.5}}}. Options that are
 /// left out have their defaults. A plain value: it is compared, copied and written without the plug-in.
 struct Choice {
     std::string name;

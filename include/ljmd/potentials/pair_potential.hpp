@@ -84,7 +84,7 @@ class PairPotential {
     ///     };
     ///     spec.potential = PairPotential::custom("soft-spheres", SoftSpheres{}, "shifted", {.radius = 2.0});
     ///
-    /// Forces, energies, pressures, tails, tables and checkpoints are those of a potential with a name of its own. Its
+    /// Forces, energies, pressures, tails, tables and checkpoints are as for a potential with a name of its own. Its
     /// sums are made by scalar code in double precision, in any pair search, by all threads; no deck can name it.
     /// @param name     for messages and checkpoints; not one of formula_names()
     /// @param formula  PairTerm<double> operator()(const PairDistance<double>&) const, the same whenever it is called,

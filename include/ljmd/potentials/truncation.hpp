@@ -19,7 +19,7 @@ struct Cutoff {
 // `describe()` names the keys that it has beside the cutoff, each with the member of Cutoff that holds it.
 // `changes_from(cutoff)` is the radius beyond which the truncated force differs from the formula's, where a tail
 // correction begins. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed., section 5.2; the switching
-// polynomial is that of OpenMM and GROMACS (fifth order, two continuous derivatives).
+// polynomial is the one of OpenMM and GROMACS (fifth order, two continuous derivatives).
 
 /// Plain cut: u(r). Energy and force jump at rc.
 template <class Formula>
@@ -44,7 +44,7 @@ class Cut {
     Formula formula_;
 };
 
-/// Shifted: u(r) - u(rc). The energy is continuous, the force is that of `cut`.
+/// Shifted: u(r) - u(rc). The energy is continuous, the force is the same as with `cut`.
 template <class Formula>
 class Shifted {
   public:

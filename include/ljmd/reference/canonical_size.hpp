@@ -17,8 +17,8 @@ struct SizeShift {
 };
 
 /// The shift in the canonical ensemble. The number of atoms of a part of an infinite fluid fluctuates, by <dN^2> =
-/// N S_0, S_0 = T/(dp/drho)_T, that of N atoms in a box does not. By the method of the steepest descent their excess
-/// Helmholtz energy is larger by (T/2) ln S_0, and with s = ln S_0
+/// N S_0, S_0 = T/(dp/drho)_T, the number in a box of N atoms does not. By the method of the steepest descent their
+/// excess Helmholtz energy is larger by (T/2) ln S_0, and with s = ln S_0
 ///
 ///     du     = -(T^2/2N) s_T                             dp      = (rho^2 T/2N) s_rho
 ///     dc_v   = -(1/2N) (2 T s_T + T^2 s_TT)              d(dp/dT) = (rho^2/2N) (s_rho + T s_Trho)
@@ -28,7 +28,7 @@ struct SizeShift {
 /// exponentially with its edge over the correlation length, and is large near the critical point alone.
 ///
 /// A pair potential with a cutoff acts on density fluctuations of its range only: what is far beyond it, in the tail
-/// correction, does not depend on N. So dp/drho is that of the equation less that of the tail, p_tail = c rho^2.
+/// correction, does not depend on N. So dp/drho is the equation's less the tail's, with p_tail = c rho^2.
 ///
 /// Derivatives of dp/drho are central differences, to 1e-6 of themselves.
 /// @param tail  c [epsilon sigma^3], of the tail correction; 0 for the full potential

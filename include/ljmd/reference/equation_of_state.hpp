@@ -26,8 +26,8 @@ struct EquationOfState {
     bool full_potential;  ///< for the fluid without truncation of the potential
     ValidRange valid;
 
-    /// A_res/(N k_B T) as a function of T and rho, where A_res is the Helmholtz energy minus that of the ideal gas at
-    /// the same temperature and density. @pre T > 0, rho >= 0
+    /// A_res/(N k_B T) as a function of T and rho, where A_res is the Helmholtz energy minus the ideal gas's at the
+    /// same temperature and density. @pre T > 0, rho >= 0
     std::function<Taylor(const Taylor& temperature, const Taylor& density)> residual_helmholtz;
 };
 

@@ -20,8 +20,8 @@ struct CriticalPoint {
 /// G/N = mu up to a function of the temperature: T ln rho + mu_x. @pre density > 0
 [[nodiscard]] double chemical_potential(const FluidProperties& phase);
 
-/// The phase with this pressure between two densities where dp/drho >= 0. If the pressure is not between those of the
-/// ends, as happens by round-off at the spinodals, the nearer end.
+/// The phase with this pressure between two densities where dp/drho >= 0. If the pressure is not between the pressures
+/// of the ends, as happens by round-off at the spinodals, the nearer end.
 [[nodiscard]] FluidProperties phase_at(const EquationOfState& equation, double temperature, double pressure,
                                        double thin, double dense);
 

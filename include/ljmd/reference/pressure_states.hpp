@@ -13,14 +13,14 @@ struct PhaseAtPressure {
     const char* name;  ///< "liquid", "vapour"; "fluid" at and above the critical temperature
     FluidProperties state;
 
-    /// G/N minus that of the most stable phase there: mu = T ln rho + mu_x + f(T). Zero for the stable phase, positive
-    /// for a metastable one.
+    /// G/N minus the value of the most stable phase there: mu = T ln rho + mu_x + f(T). Zero for the stable phase,
+    /// positive for a metastable one.
     double gibbs_energy_difference;
 };
 
 /// The phases with this temperature and pressure that are stable or metastable (dp/drho > 0), the stable one first:
-/// below the critical temperature vapour and liquid where the pressure lies between those of the spinodals. Between the
-/// spinodals themselves, where formulas with many terms have further solutions, there is no phase. Crystals are not
+/// below the critical temperature vapour and liquid where the pressure lies between the spinodals' pressures. Between
+/// the spinodals themselves, where formulas with many terms have further solutions, there is no phase. Crystals are not
 /// considered.
 /// @pre temperature > 0, pressure > 0
 /// @throws PhysicsError  the equation reaches no such pressure, or has no stable liquid or vapour at the temperature

@@ -10,7 +10,7 @@ namespace ljmd {
 
 /// The member `tracks` of the page's data, from trajectory.csv: at most `most` frames at even distances, positions as
 /// float32, and the relative error of the energy at each frame. src/report/web/README.md has its members.
-/// @param thermo  the history; the energy at a frame is that of its last row before or at it
+/// @param thermo  the history; the energy at a frame is taken from the last row before or at it
 /// @param masses  of the bodies; may be empty
 /// @throws DataError  a column is missing
 [[nodiscard]] Data body_tracks(const DataTable& trajectory, const DataTable& thermo, const std::vector<double>& masses,

@@ -53,14 +53,15 @@ struct Continuation {
 
     /// Let a run read its own part of the checkpoint.
     /// @param state  of the run; it must be at the step of the checkpoint afterwards  @throws CheckpointError
-    void restore(const Deck& deck, const State& state, const std::function<void(Archive&)>& archive) const;
+    void restore(const RunPlan& plan, const State& state, const std::function<void(Archive&)>& archive) const;
 };
 
-/// That of the newest intact checkpoint in the output directory of a deck; nothing if there is none at all.
+/// The continuation from the newest intact checkpoint in the output directory of a deck; nothing if there is none at
+/// all.
 /// @param earlier  the record of the run so far
 /// @throws CheckpointError when all are damaged, or when it belongs to another deck or version, or cannot have been
 /// written by a run of the deck
-[[nodiscard]] std::optional<Continuation> find_continuation(const Deck& deck, EarlierParts earlier = {});
+[[nodiscard]] std::optional<Continuation> find_continuation(const RunPlan& plan, EarlierParts earlier = {});
 
 /// What a run keeps of one of its files; nothing in a run that begins.
 template <class Part>

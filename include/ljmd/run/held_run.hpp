@@ -40,7 +40,7 @@ class HeldRun {
     /// Whether the run has come to its end; resuming it writes its results anew.
     [[nodiscard]] bool is_at_its_end() const;
 
-    /// From where run_deck() continues. It is handed over: checkpoint() and warnings() are empty then.
+    /// From where run_plan() continues. It is handed over: checkpoint() and warnings() are empty then.
     [[nodiscard]] Continuation take() { return std::move(continuation_); }
 
     /// See RunLock.

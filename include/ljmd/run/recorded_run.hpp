@@ -18,7 +18,7 @@ inline constexpr std::size_t max_settings = 10'000;  ///< --set arguments in a r
 
 /// The deck of a run, from its run.json.
 /// @param directory    of the run
-/// @param settings     `key=value` of each --set, applied after those of the run; none of [system], which describes the
+/// @param settings     `key=value` of each --set, applied after the run's own; none of [system], which describes the
 /// start of the run
 /// @param diagnostics  receives the mistakes in them; unlikely values are only warnings, because the run accepted them
 /// @throws DataError   there is no run.json, or it is not ljmd's
@@ -28,7 +28,7 @@ inline constexpr std::size_t max_settings = 10'000;  ///< --set arguments in a r
 
 /// A run as recorded in its directory, to be resumed.
 struct RecordedRun {
-    Deck deck;             ///< its output directory is that of the run
+    Deck deck;             ///< its output directory is the run's
     EarlierParts earlier;  ///< without the part that begins now
     std::string simd;      ///< level that the run was computed with; empty for a few-body run
     int threads;
@@ -44,8 +44,8 @@ struct RecordedRun {
 /// @param more_steps  as given to recorded_run()
 void continue_past_errors(RecordedRun& run, Continuation& continuation, Index more_steps);
 
-/// Steps of a run with this checkpoint: at most those of its stages, and exactly those that were taken where `until`
-/// has ended it.
+/// Steps of a run with this checkpoint: at most the steps of its stages, and exactly those that were taken where
+/// `until` has ended it.
 [[nodiscard]] Index steps_of_run(const RecordedRun& run, const CheckpointHead& head);
 
 /// The last configuration of a fluid's run, from its final.xyz.

@@ -15,10 +15,10 @@ namespace ljmd {
 /// independent samples and unit, in reduced units and, for a substance, in SI; the stages with their energy drift;
 /// warnings. Undefined numbers are null. Text, on the screen and in results.txt: a table with one line per observable,
 /// in reduced units and, for a substance, in SI units; the stages.
-[[nodiscard]] Document results_report(const Deck& deck, const RunResult& result);
+[[nodiscard]] Document results_report(const RunPlan& plan, const RunResult& result);
 
 /// The same for few bodies: every total with its history, what the analyses found, the stages.
-[[nodiscard]] Document results_report(const Deck& deck, const FewBodyResult& result);
+[[nodiscard]] Document results_report(const RunPlan& plan, const FewBodyResult& result);
 
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark if there is one.

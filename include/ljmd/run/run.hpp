@@ -31,19 +31,20 @@ struct RunControl {
 ///
 /// @param fluid, system  what the deck makes, see make_fluid() and make_few_body_system(); an external force of the
 /// fluid is noted in run.json, and a run that had one is resumed with it
-/// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
+/// @pre  the output directory exists and has no earlier outputs, or it is the resumed run's
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
-RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});
-FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control = {});
+RunResult run_plan(const RunPlan& plan, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});
+FewBodyResult run_plan(const RunPlan& plan, FewBodySystem& system, RunListener& listener,
+                       const RunControl& control = {});
 
 /// The same for a system of either kind. @return the report of its results
-Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control = {});
+Document run_plan(const RunPlan& plan, AnySystem& system, RunListener& listener, const RunControl& control = {});
 
 /// Lock the output directory of a deck, set an earlier run in it aside, and run the deck there. The earlier run is
 /// removed when the new one can be resumed, and put back when it fails before that.
 /// @param replace  accept an earlier run in the directory
-/// @pre check_directory() has accepted it  @throws InUseError, and as run_deck()
-Document run_in_locked_directory(Deck& deck, AnySystem& system, bool replace, RunListener& listener,
+/// @pre check_directory() has accepted it  @throws InUseError, and as run_plan()
+Document run_in_locked_directory(RunPlan& plan, AnySystem& system, bool replace, RunListener& listener,
                                  RunControl control = {});
 
 }  // namespace ljmd

@@ -19,8 +19,8 @@ class RunCheckpoints {
     /// @param interruption  when to stop
     /// @param continuation  from where the run is resumed, if it is
     /// @param has_begun     called after the first checkpoint
-    RunCheckpoints(const Deck& deck, const Interruption& interruption, const std::optional<Continuation>& continuation,
-                   std::function<void()> has_begun);
+    RunCheckpoints(const RunPlan& plan, const Interruption& interruption,
+                   const std::optional<Continuation>& continuation, std::function<void()> has_begun);
 
     /// Whether to write a checkpoint after this step. @param last_of_stage  the step is the last one of its stage
     [[nodiscard]] bool due(Index step, bool last_of_stage);
@@ -35,7 +35,7 @@ class RunCheckpoints {
   private:
     using Clock = std::chrono::steady_clock;
 
-    const Deck& deck_;
+    const RunPlan& plan_;
     CheckpointStore store_;
     Interruption interruption_;
     std::function<void()> has_begun_;

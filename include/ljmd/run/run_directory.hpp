@@ -33,12 +33,12 @@ inline constexpr const char* report_name = "report.html";
 /// @param force  accept files of an earlier run in it
 /// @throws OutputRefused  it holds a run and force is not set, it cannot be written to (existing_outputs), or a file
 /// that the run reads is one of those that it would replace
-void check_directory(const Deck& deck, bool force);
+void check_directory(const RunPlan& plan, bool force);
 
 /// Refuse outputs that are also inputs: the deck, and the file it starts from.
 /// @param consequence  what was not done, for the message: "Nothing was run"
 /// @throws OutputRefused
-void require_no_input(const Deck& deck, const std::vector<std::filesystem::path>& outputs,
+void require_no_input(const RunPlan& plan, const std::vector<std::filesystem::path>& outputs,
                       const std::string& consequence);
 
 /// Create a directory and its parents, if they are missing, and synchronise their names. @throws FileError
@@ -50,9 +50,9 @@ void make_directory(const std::filesystem::path& directory);
 /// @throws FileError  it cannot be created or cleared
 void prepare_directory(const std::filesystem::path& directory);
 
-/// Refuse files that cannot be those of the run, as far as this shows without reading them. Called before any of them
+/// Refuse files that cannot be the run's, as far as this shows without reading them. Called before any of them
 /// is changed. @throws CheckpointError
-void check_outputs(const Deck& deck, const Continuation& continuation);
+void check_outputs(const RunPlan& plan, const Continuation& continuation);
 
 /// What a run writes at its end.
 struct FinalOutputs {
@@ -68,8 +68,9 @@ class RunDirectory {
   public:
     /// Opens the outputs and writes run.json.
     /// @param continuation  continue the files of an interrupted run  @throws FileError, CheckpointError
-    RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation = {});
-    RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<Continuation>& continuation = {});
+    RunDirectory(const RunPlan& plan, const FluidSystem& fluid, const std::optional<Continuation>& continuation = {});
+    RunDirectory(const RunPlan& plan, const FewBodySystem& system,
+                 const std::optional<Continuation>& continuation = {});
 
     /// @pre the row is one of the kind of system that the directory was opened for
     void write(const ThermoRow& row);
@@ -88,7 +89,7 @@ class RunDirectory {
   private:
     void row_written();
 
-    const Deck& deck_;
+    const RunPlan& plan_;
     std::optional<TrajectoryCsv> csv_;
     std::optional<PairPotential> energies_of_;      ///< set: frames hold the energies of the atoms in this potential
     std::unique_ptr<TrajectoryWriter> trajectory_;  ///< if it is not CSV; may throw when the run is resumed

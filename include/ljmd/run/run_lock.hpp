@@ -25,7 +25,7 @@ class RunLock {
     /// For a new run, which then writes to the locked directory (Deck::locked). The directory is created if it is
     /// missing. With `force` an earlier run in it is set aside until has_begun().
     /// @throws InputError  as check_directory()  @throws FileError, InUseError; nothing has changed then
-    RunLock(Deck& deck, bool force, Warn warn);
+    RunLock(RunPlan& plan, bool force, Warn warn);
 
     ~RunLock();
     RunLock(const RunLock&) = delete;

@@ -14,7 +14,7 @@ namespace ljmd {
 
 /// XXH3 (64 bits) of the deck's text, of every --set, and of the pair potential that a program gave: identifies what
 /// was run.
-[[nodiscard]] std::string deck_hash(const Deck& deck);
+[[nodiscard]] std::string deck_hash(const RunPlan& plan);
 
 /// How a run that was to reach errors has ended.
 struct UntilEnd {
@@ -29,7 +29,7 @@ class RunRecord {
     /// @param execution     computes the run
     /// @param continuation  from where it is resumed, if it is
     /// @throws FileError
-    RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation = std::nullopt);
+    RunRecord(const RunPlan& plan, Execution execution, const std::optional<Continuation>& continuation = std::nullopt);
 
     /// @param seconds  wall time of the time loop
     /// @param phases   its parts, if measured
@@ -40,7 +40,7 @@ class RunRecord {
   private:
     void write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const;
 
-    const Deck& deck_;
+    const RunPlan& plan_;
     Execution execution_;
     EarlierParts parts_;
     std::optional<UntilEnd> until_;
@@ -50,11 +50,11 @@ class RunRecord {
 /// @param continuation  from where the run is resumed, if it is
 /// @throws FileError, CheckpointError
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(
-    const Deck& deck, const State& first, const std::optional<Continuation>& continuation = std::nullopt);
+    const RunPlan& plan, const State& first, const std::optional<Continuation>& continuation = std::nullopt);
 
 /// Write failed.xyz: the configuration at which a run failed, whatever it is. Its positions and velocities may belong
 /// to different times, but they show where the run went wrong.
 /// @return a line for the user; empty if the file cannot be written, because the failure itself matters more
-[[nodiscard]] std::string save_failure(const Deck& deck, const State& state);
+[[nodiscard]] std::string save_failure(const RunPlan& plan, const State& state);
 
 }  // namespace ljmd

@@ -12,7 +12,7 @@ namespace ljmd {
 // Common to the reports on runs of a fluid and of a few bodies.
 
 /// The title of a deck, or its path, in lines that fit the screen.
-[[nodiscard]] std::string title_line(const Deck& deck);
+[[nodiscard]] std::string title_line(const RunPlan& plan);
 
 /// A stage in results.json.
 [[nodiscard]] Data stage_data(const StageResult& stage);

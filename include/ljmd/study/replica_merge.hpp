@@ -18,7 +18,7 @@ struct ReplicaMean {
 struct MergedMean {
     double mean;
     double standard_error;  ///< NaN of a single run without one
-    double within;          ///< standard error from those of the runs; NaN if one is unknown or a guess
+    double within;          ///< standard error from the errors of the runs; NaN if one is unknown or a guess
     double between;         ///< standard error from the scatter of the means; NaN of a single run
     bool agree;             ///< false: the means scatter more than their errors let expect
 };

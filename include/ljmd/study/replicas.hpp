@@ -29,11 +29,11 @@ inline constexpr Index max_replicas = 10'000;
 [[nodiscard]] std::string why_all_the_same(const Deck& deck, const Start& start);
 
 /// The results of finished replicas, merged: see merged_mean(). An observable that has no value in one of them has
-/// none: those in which the fluctuations were small enough for one would be a choice. Remarks are those of the runs,
-/// each once, with the number of runs that have it. Where the error of a run is a guess, so is that of the scatter of
-/// fewer than 16 runs. Runs of different lengths are told. Data, in results.json: title, kind "replicas", replicas,
-/// seeds, observables as in the results of a run, and in each standard_error_within and standard_error_between; doubts
-/// and warnings. Text, on the screen and in results.txt: the table of a run.
+/// none: those in which the fluctuations were small enough for one would be a choice. Remarks are the runs' remarks,
+/// each once, with the number of runs that have it. Where the error of a run is a guess, so is the error from the
+/// scatter of fewer than 16 runs. Runs of different lengths are told. Data, in results.json: title, kind "replicas",
+/// replicas, seeds, observables as in the results of a run, and in each standard_error_within and
+/// standard_error_between; doubts and warnings. Text, on the screen and in results.txt: the table of a run.
 /// @param runs  of the plan, all finished  @throws DataError  results of a run are missing or damaged
 [[nodiscard]] Document replicas_report(const Deck& deck, const std::vector<ChildRun>& runs,
                                        const std::filesystem::path& directory);

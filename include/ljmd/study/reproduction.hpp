@@ -68,7 +68,7 @@ struct ReproducedRow {
 ///     dU = 2 pi rho * integral from rc of (g - 1) u r^2 dr,
 ///     dZ = (2 pi rho/(3 T)) * integral from rc of (g - 1) w r^4 dr,   w = -u'/r
 ///
-/// for Lennard-Jones, as far as g(r) is known (half the box). Added to simulated values it gives those of the full
+/// for Lennard-Jones, as far as g(r) is known (half the box). Added to simulated values it gives the values of the full
 /// potential.
 /// @param r, g  midpoints of bins of equal width [sigma], and g(r) there
 /// @pre r.size() == g.size() >= 2

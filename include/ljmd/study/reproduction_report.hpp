@@ -12,8 +12,8 @@ namespace ljmd {
 
 /// The table of `ljmd reproduce verlet1967`. Text, on the screen: one line per row, then chi-square and remarks. Data,
 /// in results.json: rows and chi-square.
-/// @param screen  columns of the terminal that the text has to fit: columns stand closer, then those of the cutoff are
-/// left out. None: the whole table
+/// @param screen  columns of the terminal that the text has to fit: columns stand closer, then the columns of the
+/// cutoff are left out. None: the whole table
 [[nodiscard]] Document reproduction_report(const std::vector<ReproducedRow>& rows,
                                            std::optional<std::size_t> screen = std::nullopt);
 

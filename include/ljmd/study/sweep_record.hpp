@@ -34,7 +34,7 @@ struct SweepPlan {
 /// Prepare a directory for a sweep: refuse files of another sweep, or with `force` remove them, except for runs that
 /// both sweeps have in common; then write sweep.json and the copy of the deck. Foreseeable failures are found before
 /// anything is removed, and before there is any waiting. @pre the directory is locked
-/// @param wait  called before runs of another sweep are removed, and before those of replicas are resumed: returns when
+/// @param wait  called before runs of another sweep are removed, and before replicas' runs are resumed: returns when
 /// none of them writes any more
 /// @throws InputError  it holds another sweep, or points without a sweep  @throws DataError  its sweep.json is damaged
 /// @throws InUseError  workers run the points of the other sweep  @throws FileError

@@ -15,7 +15,7 @@ namespace ljmd {
 /// of points: "... (temperature=0.5,density=2; temperature=1,density=2; temperature=2,density=2 and 3 other points)". A
 /// mistake in a varied key is located in "--grid KEY" or "--list KEY".
 /// @param deck      name and text
-/// @param settings  arguments of --set, applied before those of a point
+/// @param settings  arguments of --set, applied before a point's own
 /// @param option    that gave the points: "--grid" or "--list"
 /// @param force     accept unlikely values, see check_sense()
 void check_points(const Source& deck, const std::vector<std::string>& settings, const SweepPoints& points,

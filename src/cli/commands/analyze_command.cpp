@@ -92,7 +92,7 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
 }
 
 /// Analyse a trajectory and write the tables.
-/// @param is_run  the deck is that of the run that wrote the trajectory
+/// @param is_run  the deck is from the run that wrote the trajectory
 Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                  const AnalyzeOptions& options, const fs::path& directory) {
     const AnalyzedTrajectory trajectory = trajectory_to_analyze(

@@ -20,7 +20,7 @@ namespace ljmd {
 namespace {
 
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
-    Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
+    Progress progress(std::nullopt, total_steps(deck.stages()), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
     progress.clear_line();
     if (!out.empty()) {

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 /// Options of `ljmd evaluate`.
 struct EvaluateOptions {
     std::string path{};                   ///< a configuration, a trajectory, or the directory of a run
-    std::string deck{};                   ///< empty: that of the run, or the options of the potential
+    std::string deck{};                   ///< empty: the run's deck, or the options of the potential
     std::vector<std::string> settings{};  ///< arguments of --set, for a deck
 
     // The potential, where there is no deck.
@@ -285,7 +285,8 @@ class EvaluateCommand : public Command {
         const Execution execution(how.execution);
         const fs::path path = configuration_file(options_.path);
         const std::optional<fs::path> written = frames_to_write(options_);
-        const auto reader = open_frames(path, deck ? deck->units : std::nullopt, options_.group, options_.xyz_comment);
+        const auto reader =
+            open_frames(path, deck ? deck->units() : std::nullopt, options_.group, options_.xyz_comment);
 
         const auto evaluate_all = [&](OutputFile* file) {
             Printer printer(how.spec, path.string(), options_.json);

@@ -20,7 +20,7 @@ namespace ljmd {
 
 namespace {
 
-/// Input of `ljmd export`: a deck and its start configuration, or that of a run and its last configuration.
+/// Input of `ljmd export`: a deck and its start configuration, or a run's deck and its last configuration.
 struct Exportable {
     Deck deck;
     State state;

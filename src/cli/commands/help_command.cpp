@@ -25,7 +25,7 @@ class HelpCommand : public Command {
             return;
         }
         if (command_.empty()) {
-            // App::help() would be that of the command that was parsed.
+            // App::help() would give the help of the command that was parsed.
             print_result(
                 program_->get_formatter()->make_help(program_, program_->get_name(), CLI::AppFormatMode::Normal));
             return;

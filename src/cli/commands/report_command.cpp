@@ -51,7 +51,7 @@ void open_page(const fs::path& page) {
                                  .at_our_end = 0});
 }
 
-/// The directory that is meant by a path: that of judge.json, for the file itself.
+/// The directory that is meant by a path: for judge.json itself, the one that holds it.
 fs::path directory_of(const std::string& path) {
     const fs::path whole = path;
     const bool is_result =

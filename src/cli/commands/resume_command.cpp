@@ -61,10 +61,10 @@ class ResumeCommand : public Command {
         const CheckpointHead from = run.checkpoint();
         AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());
         Progress progress(std::holds_alternative<FluidSystem>(system) ? std::optional(from.atoms) : std::nullopt,
-                          total_steps(run.deck().stages), quiet_, from.step);
+                          total_steps(run.deck().stages()), quiet_, from.step);
         tell_beginning(run, progress);
         control.continuation = run.take();
-        show_run(run.deck(), progress, json_, [&] { return run_deck(run.deck(), system, progress, control); });
+        show_run(run.deck(), progress, json_, [&] { return run_plan(run.deck(), system, progress, control); });
         run.warn_if_moved();
     }
 
@@ -83,8 +83,8 @@ class ResumeCommand : public Command {
                               "ljmd resume {} --steps +N\n",
                               step, shell_word(directory_))
                 : fmt::format("resuming after step {} of {}{}\n", step,
-                              run.deck().stages.back().until.empty() ? "" : "at most ",
-                              total_steps(run.deck().stages)));
+                              run.deck().stages().back().until.empty() ? "" : "at most ",
+                              total_steps(run.deck().stages())));
     }
 
     void resume_as_member(const std::shared_ptr<Ranks>& ranks) const {
@@ -99,7 +99,7 @@ class ResumeCommand : public Command {
         const CheckpointHead from = run->checkpoint();
         AnySystem system = empty_system(run->deck(), from.atoms, from.edges, run->execution());
         RunListener silent;
-        run_deck(run->deck(), system, silent, {.continuation = run->take()});
+        run_plan(run->deck(), system, silent, {.continuation = run->take()});
     }
 
     /// Resume all replicas, add steps to all of them, and merge their results anew.

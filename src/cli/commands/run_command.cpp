@@ -72,7 +72,7 @@ class RunCommand : public Command {
         Deck& deck = read->deck;
         CheckedRun& run = read->run;
         require_shareable(ranks, deck, run);
-        Progress progress(run.atoms(), total_steps(deck.stages), options_.quiet);
+        Progress progress(run.atoms(), total_steps(deck.stages()), options_.quiet);
         AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                        [&](const std::string& text) { progress.warning(text); });
         install_stop_handlers();  // before this, nothing would be lost
@@ -100,7 +100,7 @@ class RunCommand : public Command {
         require_shareable(ranks, read->deck, read->run);
         RunListener silent;
         AnySystem system = make_system(read->deck, std::move(read->run.start), read->run.execution, [](const auto&) {});
-        run_deck(read->deck, system, silent);
+        run_plan(read->deck, system, silent);
     }
 
     void run_replicas() const {

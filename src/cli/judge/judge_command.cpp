@@ -181,7 +181,7 @@ class Session {
                                             [&](const std::string& text) { progress_.warning(text); });
         Fluid fluid = run_before_crosscheck(deck_, simulation, progress_);
         progress_.clear_line();
-        if (freedom_of(deck_.stages[first_sampled(deck_.stages)], std::ssize(fluid.masses)) <
+        if (freedom_of(deck_.stages()[first_sampled(deck_.stages())], std::ssize(fluid.masses)) <
             3 * std::ssize(fluid.masses)) {
             bring_to_rest(fluid);
         }

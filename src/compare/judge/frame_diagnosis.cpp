@@ -82,7 +82,8 @@ std::string half_step_velocities(const JudgedTrajectory& trajectory, const Agree
     return "";
 }
 
-/// What the first step tells: velocities of the start taken for those of another time, or another time step.
+/// What the first step tells: the start's velocities were taken for velocities at another time, or the time step is
+/// another.
 std::string first_step(const JudgedTrajectory& trajectory, const Agreement& agreement) {
     const JudgedFrame* start = frame_of(trajectory, 0);
     const JudgedFrame* frame = frame_of(trajectory, 1);
@@ -233,7 +234,7 @@ double noise_of(const JudgedFrame& frame, double tolerance) {
     return tolerance * std::max(rms, 1e-9);
 }
 
-/// Whether forces of the frame are those of its positions. @param tolerance  relative to their root mean square
+/// Whether the forces of the frame are right for its positions. @param tolerance  relative to their root mean square
 bool has_right_forces(const JudgedFrame& frame, double tolerance) {
     return !frame.forces.empty() && largest_difference(frame) <= noise_of(frame, tolerance);
 }

@@ -60,7 +60,7 @@ class Case {
     }
 
   private:
-    /// Whether the sums made with a mistake are those of the answer. One number alone, which a parameter of a mistake
+    /// Whether the sums made with a mistake are the answer's. One number alone, which a parameter of a mistake
     /// can always meet, explains nothing.
     [[nodiscard]] bool explain(const PairSums& sums) const {
         int numbers = 0;
@@ -215,7 +215,7 @@ class Case {
     [[nodiscard]] std::pair<double, double> bracket_of_cutoff() const {
         std::vector<NearPairs::Pair> sorted = pairs_.pairs();
         std::ranges::sort(sorted, {}, &NearPairs::Pair::distance);
-        std::vector<Vec3> rest = answer_.forces;  // of the forces, when those of the pairs so far are taken off
+        std::vector<Vec3> rest = answer_.forces;  // of the forces, when the forces of the pairs so far are taken off
         double squares = rest.empty() ? 0.0 : dot(rest, rest);
         double virial = answer_.virial.value_or(0.0);
         double smallest = std::numeric_limits<double>::infinity();

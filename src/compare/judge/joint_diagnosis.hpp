@@ -17,7 +17,7 @@ struct AnswerPart {
     [[nodiscard]] bool is_wrong() const { return !(off <= noise); }
 };
 
-/// The parts of an answer that pairs make, to be held against sums of pairs: ours, or those of a mistake.
+/// The parts of an answer that pairs make, to be held against sums of pairs: ours, or sums made with a mistake.
 class AnswerParts {
   public:
     /// @param tolerance  of relative differences that are none

@@ -296,7 +296,7 @@ Index Judgement::failures() const {
 
 Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& options) {
     constexpr Index max_samples = 100'000;
-    Stage stage = deck.stages[first_sampled(deck.stages)];
+    Stage stage = deck.stages()[first_sampled(deck.stages())];
     stage.total_energy.reset();
     stage.reverse = false;
     stage.until.clear();
@@ -309,7 +309,7 @@ Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& optio
     std::ranges::sort(frames);
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     const Index last = frames.back();
-    const Index every = deck.thermo_every * std::max<Index>(1, stage.steps / deck.thermo_every / max_samples);
+    const Index every = deck.sample_every() * std::max<Index>(1, stage.steps / deck.sample_every() / max_samples);
     return {.fluid = std::move(fluid),
             .stage = std::move(stage),
             .steps_before = steps_before_crosscheck(deck),

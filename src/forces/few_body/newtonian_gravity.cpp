@@ -159,7 +159,7 @@ struct NewtonianGravityOptions : FewBodyForceOptions {
 ///     a_i = -G sum over j of m_j d_ij / (d_ij^2 + s^2)^(3/2) - G M r_i / (r_i^2 + s^2)^(3/2),    d_ij = r_i - r_j
 ///     U   = -sum over pairs of G m_i m_j / (d_ij^2 + s^2)^(1/2) - sum over i of G M m_i / (r_i^2 + s^2)^(1/2)
 ///
-/// The relative motion of two bodies is that of one body with M = m1 + m2. Sources: Plummer (1911),
+/// Two bodies move relative to each other as one body does about M = m1 + m2. Sources: Plummer (1911),
 /// doi:10.1093/mnras/71.5.460, for the softening; Aarseth (1963), doi:10.1093/mnras/126.3.223, for its use here
 FewBodyForceMethod newtonian_gravity() {
     return {.name = "newtonian-gravity",

@@ -73,8 +73,8 @@ struct RadialKeplerOptions : FewBodyForceOptions {
 ///     rho'' = h^2 / rho^3 - mu / rho^2,    U = sum over bodies of m (h^2 / (2 rho^2) - mu / rho)
 ///
 /// mu = G (m1 + m2); h is the angular momentum per unit of reduced mass, which is conserved. With the reduced mass as
-/// m, the energy is that of the relative motion of the two bodies. Source: Landau and Lifshitz, Mechanics, sections 14
-/// and 15
+/// m, the energy is the two bodies' energy of relative motion. Source: Landau and Lifshitz, Mechanics, sections 14 and
+/// 15
 FewBodyForceMethod radial_kepler() {
     return {.name = "radial-kepler",
             .meaning = "distance of two bodies under gravity, rho'' = h^2/rho^3 - mu/rho^2",

@@ -18,7 +18,7 @@ LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
     return simd::widened<slots>(x);
 }
 
-// Sums over the slots of each atom of a cluster: first those of slots 0 and 1, and of 2 and 3, in the precision of the
+// Sums over the slots of each atom of a cluster: first over slots 0 and 1, and over 2 and 3, in the precision of the
 // pair terms, then both in double. @param rows  sums of each row, by halves of clusters and lanes
 template <class T>
 LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 2> (&rows)[2][4]) {
@@ -70,8 +70,8 @@ constexpr int partial_lanes = others_per_row<V>* reaction_atoms<V>;
 template <class V>
 constexpr std::size_t partial_forces = std::size_t{parts_per_cluster<V>} * partial_lanes<V>;
 
-/// Minus the forces of earlier rows on the atoms of a cluster, along one axis; they are set to zero. Those of the first
-/// half of the reacting atoms are added to those of the second.
+/// Minus the forces of earlier rows on the atoms of a cluster, along one axis; they are set to zero. Forces of the
+/// first half of the reacting atoms are added to the second half's.
 template <class V>
 LJMD_INLINE Four take_from_others(typename V::Value* others) {
     using T = typename V::Value;

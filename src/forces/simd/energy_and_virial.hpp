@@ -12,7 +12,7 @@ namespace ljmd {
 namespace {
 
 /// Energies of a tile, in double: sums over even and over odd atoms of the rows' clusters, by slots that they meet. In
-/// single precision those of the first two atoms of a cluster are added to those of the last two before.
+/// single precision the energies of a cluster's first two atoms are added to the last two atoms' before.
 template <class V>
 class EnergySum {
   public:

@@ -33,7 +33,7 @@ constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 template <class V>
 constexpr int parts_per_cluster = slots / others_per_row<V>;
 
-/// Atoms of a cluster whose forces on others are added up apart from those of the next ones. It is the same at all
+/// Atoms of a cluster whose forces on others are added up apart from the next atoms' forces. It is the same at all
 /// levels, as the order of sums is: 2 in double precision, 4 in single precision, the widest rows.
 template <class V>
 constexpr int reaction_atoms = sizeof(typename V::Value) == sizeof(double) ? 2 : 4;
@@ -58,7 +58,7 @@ LJMD_INLINE simd::RawVector<T, V::lanes> of_part(const T* coordinates) {
     return simd::repeated<T, V::lanes, count>(simd::load_aligned<T, count>(coordinates));
 }
 
-/// Separations of the atoms of a row from those of a part.
+/// Separations of the atoms of a row from the atoms of a part.
 template <class V>
 struct Separation {
     V dx, dy, dz;  ///< r_row - r_part, in the unit of the arithmetic

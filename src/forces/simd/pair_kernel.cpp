@@ -51,7 +51,7 @@ class Sums {
 /// Self-interaction mask: added to the squared distances between a row and the parts of its own cluster, so that of two
 /// atoms of a cluster only the earlier one meets the later one, and none meets itself. The number is larger than any
 /// squared cutoff, in units of FixedPoint, too. It is needed for the part that the row itself lies in; earlier parts of
-/// its cluster are not met, later ones as those of other clusters.
+/// its cluster are not met, later ones like parts of other clusters.
 template <class V>
 struct SelfPairMask {
     typename V::Value of_row[rows_per_cluster<V>][V::lanes] = {};
@@ -77,8 +77,9 @@ class Row {
                     const std::int32_t* entries)
         : arithmetic_(arithmetic), pair_(pair), cutoff2_(cutoff2), partial_(partial), entry_(entries) {}
 
-    /// Meet the part that the row lies in and the parts of the first half of its list, then those of the second half.
-    /// So each half of the slots of clusters has sums of its own, as each slot has where parts are whole clusters.
+    /// Meet the part that the row lies in and the parts in the first half of its list, then the parts in the second
+    /// half. So each half of the slots of clusters has sums of its own, as each slot has where parts are whole
+    /// clusters.
     /// @param own     entry of the part that the row lies in
     /// @param mask    see SelfPairMask
     /// @param middle  where the second half of the list begins: at its end for parts that are whole clusters

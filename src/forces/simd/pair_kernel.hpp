@@ -13,7 +13,7 @@
 
 namespace ljmd {
 
-/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters.
+/// The pairs of a tile: its own atoms with each other, and its own atoms with its ghost clusters.
 struct PairKernelTask {
     const void* positions;  ///< see TilePositions: double [sigma], or std::int32_t in units of FixedPoint (mixed)
     double unit;            ///< unit of FixedPoint [sigma]
@@ -25,7 +25,7 @@ struct PairKernelTask {
     double cutoff2;                    ///< squared cutoff [sigma^2]
     void* partial_forces;              ///< numbers_per_cluster of PairKernels, zero before and after the call; double,
                                        ///< float if mixed
-    double* forces;                    ///< x y z 0 of every atom; those of the tile's own are written [epsilon/sigma]
+    double* forces;                    ///< x y z 0 of every atom; written for the tile's own [epsilon/sigma]
     double* ghost_forces;              ///< x y z of every slot of its ghosts, and one more number [epsilon/sigma]
 };
 

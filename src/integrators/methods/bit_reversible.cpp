@@ -81,7 +81,7 @@ void reverse(State& state, double dt) {
 ///
 ///     r(t + dt) = 2 r(t) - r(t - dt) + [(dt^2/m) f(t)]
 ///
-/// where positions are multiples of a grid spacing (that of the box, about one unit in the last place of its edge;
+/// where positions are multiples of a grid spacing (the box's, about one unit in the last place of its edge;
 /// 2^-44 without a box) and [ ] rounds to multiples. Sums are exact, so r(t - dt) follows from r(t) and r(t + dt) to
 /// the last bit: n steps forwards and n steps back end at the start, however chaotic the motion. On the way back the
 /// forces must be the same function of the positions, whatever the order of the atoms in memory, so they are summed in

@@ -8,7 +8,7 @@ namespace ljmd {
 ///     r(t + dt) = r(t) + dt v(t + dt)
 ///
 /// First order, symplectic, not time-reversible: the energy oscillates but does not drift. If v(0) is replaced by
-/// v(-dt/2), the positions are those of leapfrog, which is of second order.
+/// v(-dt/2), the positions are the same as with leapfrog, which is of second order.
 /// Source: Cromer (1981), doi:10.1119/1.12478
 IntegratorMethod euler_cromer() {
     return {.name = "euler-cromer",

@@ -8,8 +8,9 @@ namespace ljmd {
 ///     v(t + tau)   = v(t - tau) + (2 tau/m) f(t)
 ///     r(t + 2 tau) = r(t) + 2 tau v(t + tau)
 ///
-/// This is leapfrog with the step 2 tau, so its error is four times that of `leapfrog` at the same tau. Here positions
-/// and velocities are reported at every step; the one that the method lacks is computed halfway between its neighbours:
+/// This is leapfrog with the step 2 tau, so its error is four times as large as with `leapfrog` at the same tau. Here
+/// positions and velocities are reported at every step; the one that the method lacks is computed halfway between its
+/// neighbours:
 ///
 ///     to an odd time:   v(t + tau) = v(t) + (tau/m) f(t),  then r(t + tau) = r(t) + tau v(t + tau)
 ///     to an even time:  r(t + tau) = r(t) + tau v(t),      then v(t + tau) = v(t) + (tau/m) f(t + tau)

@@ -91,7 +91,7 @@ struct Options : IntegratorOptions {
 ///     backward  r(-dt) = r(0) - dt v(0) + (dt^2/2m) f(0), the same within rounding
 ///     euler     r(dt)  = r(0) + dt v(0), which makes the whole run first order, with another initial velocity
 ///
-/// Second order, time-reversible, symplectic. Unless started by Euler, positions are those of velocity Verlet within
+/// Second order, time-reversible, symplectic. Unless started by Euler, it has velocity Verlet's positions within
 /// rounding.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98, equations 4 and 5; Störmer (1907), Arch. Sci. Phys. Nat. 24, 5
 IntegratorMethod position_verlet() {

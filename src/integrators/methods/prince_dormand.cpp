@@ -26,7 +26,7 @@ void solve(State& state, ForceField& force_field, double dt, const StateWatch& w
 /// Adaptive Runge-Kutta method of Prince and Dormand: order 8, with an embedded method that chooses the steps (GSL's
 /// rk8pd). Fixed steps are measured against it; it also serves for close encounters of a few bodies.
 ///
-/// The time step of the deck is that of the output. Within it, the method takes as many steps as keep the error of each
+/// The time step of the deck is for the output. Within it, the method takes as many steps as keep the error of each
 /// below 1e-13 (1 + |value|); measurements see these steps, too. Neither symplectic nor reversible, but nearly exact.
 /// Only for systems without a box: the truncated forces of a fluid are not smooth enough, and its motion is too chaotic
 /// to benefit. Source: Prince and Dormand (1981), doi:10.1016/0771-050X(81)90010-3

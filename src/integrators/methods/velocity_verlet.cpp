@@ -8,7 +8,8 @@ namespace ljmd {
 ///     r(t + dt)   = r(t) + dt v(t + dt/2)
 ///     v(t + dt)   = v(t + dt/2) + (dt/2m) f(t + dt)
 ///
-/// Second order, time-reversible, symplectic. Positions are those of Verlet's 1967 formula with the same start.
+/// Second order, time-reversible, symplectic. Positions are the same as by Verlet's formula of 1967 with the same
+/// start.
 /// Source: Swope, Andersen, Berens and Wilson (1982), doi:10.1063/1.442716
 IntegratorMethod velocity_verlet() {
     return {.name = "velocity-verlet",

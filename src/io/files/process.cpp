@@ -64,7 +64,7 @@ bool is_of_ranks(std::string_view variable) {
     return variable.starts_with("OMPI_") || variable.starts_with("PMI_") || variable.starts_with("PMIX_");
 }
 
-/// The environment of this process with variables added or replaced, without those of mpirun.
+/// The environment of this process with variables added or replaced, without mpirun's.
 /// @param without  as in Process
 std::vector<std::string> environment_with(const Variables& added, const std::vector<std::string>& without = {}) {
     std::vector<std::string> result;

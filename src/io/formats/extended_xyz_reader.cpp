@@ -71,7 +71,7 @@ void reserve(RawFrame& frame, std::size_t size) {
     if (frame.header.columns.force) frame.forces.reserve(size);
 }
 
-/// The mass [u] for ASE's momenta: that of the file, else ASE's mass of the species.
+/// The mass [u] for ASE's momenta: the file's, else ASE's mass of the species.
 double mass_of_momentum(const TextFile& file, const std::vector<std::string_view>& fields,
                         const ExtendedXyzColumns& columns) {
     if (columns.mass) return file.number(fields[*columns.mass], "the mass");

@@ -25,7 +25,7 @@ struct H5mdScale : UnitScale {
 };
 
 /// Read the attributes `unit`: "nm", "ps", "nm ps-1", "Angstrom/fs", ... Positions, times and velocities all have one
-/// or none has; without one the file is in reduced units. Edges without a unit have that of the positions. Masses may
+/// or none has; without one the file is in reduced units. Edges without a unit have the positions' unit. Masses may
 /// have a unit if the positions have one.
 /// @param units  of the substance; needed for a file with units
 /// @throws DataError

@@ -21,7 +21,7 @@ using Fields = std::vector<std::string_view>;
 
 constexpr Index max_types = Index{1} << 20;
 
-/// What else a header counts. A file with any of it is that of another fluid.
+/// What else a header counts. A file with any of it describes another fluid.
 constexpr std::array<std::string_view, 8> foreign_things{"bonds",      "angles", "dihedrals", "impropers",
                                                          "ellipsoids", "lines",  "triangles", "bodies"};
 
@@ -148,7 +148,7 @@ class Reader {
         }
     }
 
-    /// xy xz yz: the component of the second vector along x, those of the third along x and y.
+    /// xy xz yz: the component of the second vector along x, the components of the third along x and y.
     void read_tilt() {
         if (fields_.size() != 6) file_.fail(fmt::format("expected 'xy xz yz xy xz yz', found {}", shown(file_.line())));
         tilt_(1, 0) = file_.number(fields_[0], "a tilt factor");
@@ -250,7 +250,7 @@ class Reader {
         return words.empty() ? "" : std::string(words[0]);
     }
 
-    /// Refuse coefficients of the type that has atoms which are not those of the reduced fluid, epsilon = sigma = 1.
+    /// Refuse coefficients of the type that has atoms if they are not the reduced fluid's, epsilon = sigma = 1.
     void check_coefficients() {
         for (const auto& [line, type, style, numbers] : coefficients_) {
             if (type != *type_) continue;

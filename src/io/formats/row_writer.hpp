@@ -19,7 +19,7 @@ namespace ljmd {
 void write_rows(OutputFile& file, const Execution& execution, std::size_t rows,
                 const std::function<void(std::size_t k, fmt::memory_buffer& text)>& append);
 
-/// The id in the file of the atom of this id in the state: from 1, or that of the source of a copy.
+/// The id in the file of the atom of this id in the state: from 1, or as in the source of a copy.
 [[nodiscard]] inline Index id_of(const FrameContents& contents, std::size_t id) {
     return contents.source && !contents.source->ids.empty() ? contents.source->ids[id] : static_cast<Index>(id) + 1;
 }

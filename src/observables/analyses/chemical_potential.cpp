@@ -20,7 +20,7 @@ struct ChemicalPotentialOptions : AnalysisOptions {
         return std::make_unique<WidomInsertion>(run, insertions.value_or(run.atoms), Every(every));
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
-        constexpr double of_atom = 20.0;   // its place and those of its images in the order of a grid
+        constexpr double of_atom = 20.0;   // its place and its images' places in the order of a grid
         constexpr double of_copy = 230.0;  // of the state, sorted, with images
         const auto atoms = static_cast<double>(run.atoms);
         return {.kept = BlockingAccumulator::bytes(4, Covariance::full, run.steps / every + 1),

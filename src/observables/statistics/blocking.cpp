@@ -22,7 +22,7 @@ constexpr double few_samples = 16.0;    // independent samples; fewer do not sup
 constexpr double growth_of_flat = 1.3;  // of the error at twice the block length; sqrt(2) for short blocks
 constexpr Index blocks_for_slow = 32;   // at least, of blocks that may show slow fluctuations
 constexpr Index most_parts = 8;         // of a function; sums of more, of shells or layers, are series of their own
-constexpr double negligible = 0.1;      // error of a part, of that of the function: a volume that rounding changes
+constexpr double negligible = 0.1;      // error of a part over the function's: a volume that rounding changes
 constexpr double excess = 1.5;          // of their error, in units of its scatter
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -30,7 +30,7 @@ using Curve = std::vector<BlockLevel>;
 
 bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
     const double length = static_cast<double>(level.length);
-    // Errors below that of independent samples are mostly scatter of few blocks.
+    // Errors below the error of independent samples are mostly scatter of few blocks.
     const double growth = std::max(1.0, level.standard_error / shortest_error);
     return length * length * length > 2.0 * samples * std::pow(growth, 4);
 }

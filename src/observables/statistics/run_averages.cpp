@@ -32,9 +32,9 @@ constexpr Index external_energy_column = squared_energy_column + 1;
 /// As many encounters as independent samples are asked for elsewhere: the error is then known to 18 %.
 constexpr Index enough_encounters = 16;
 
-/// Of the error of the potential energy: that of the total energy is larger where a bath exchanges energy slowly, since
-/// the kinetic energy follows. Where the integrator alone changes it, and where the potential energy alone is slow, it
-/// is not.
+/// In units of the potential energy's error: the total energy's error is larger where a bath exchanges energy slowly,
+/// since the kinetic energy follows. Where the integrator alone changes it, and where the potential energy alone is
+/// slow, it is not.
 constexpr double noticeable_exchange = 1.5;
 
 /// Of the error of the shear stress when blocks are made four times as long: 2 where they are shorter than its
@@ -92,7 +92,7 @@ bool RunAverages::knows_collisions() const {
     if (2 * apart_ > samples()) {
         return true;  // its encounters are counted, see met_rarely()
     }
-    // Of the three together, whose scatter hides less than that of one.
+    // Of the three together, whose scatter hides less than one's does.
     std::vector<double> errors;
     for (Index column = first_shear_column; column < virial_column; ++column) {
         const std::vector<BlockLevel> levels = series_.levels(column);

@@ -65,7 +65,7 @@ void add_checks(PageContent& page, const Data& results) {
 
 /// d(t) = d_0 exp(rate t) through the distances that grow exponentially.
 std::vector<double> fitted(const std::vector<double>& times, const std::vector<double>& distances, double rate) {
-    constexpr double rounding = 1e-12;  // below, distances are those of the last digits
+    constexpr double rounding = 1e-12;  // below, distances are differences of last digits
     constexpr double saturation = 0.1;  // above, trajectories know nothing of each other
     double sum = 0.0;
     int count = 0;

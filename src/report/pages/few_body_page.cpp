@@ -21,7 +21,7 @@ constexpr std::size_t most_few_body_rows = 3000;
 
 std::vector<double> masses_of(const RunFacts& facts) {
     std::vector<double> masses;
-    if (const Deck* deck = facts.deck(); deck != nullptr && deck->kind() == DeckKind::few_body) {
+    if (const Deck* deck = facts.deck(); deck != nullptr && !deck->is_fluid()) {
         for (const auto& body : deck->few_body().bodies) {
             masses.push_back(body.mass);
         }

@@ -44,7 +44,7 @@ void add_atoms(PageContent& page, const RunFacts& facts) {
     if (deck != nullptr && deck->trajectory) {
         const fs::path path = facts.directory / fmt::format("trajectory.{}", deck->trajectory->format);
         const double expected = last_step(facts.directory) / static_cast<double>(deck->trajectory->every) + 1.0;
-        page.atoms = trajectory_atoms(path, deck->units, static_cast<Index>(expected), page.warnings);
+        page.atoms = trajectory_atoms(path, deck->units(), static_cast<Index>(expected), page.warnings);
     }
     const auto show_if_nothing_else = [&](const char* name, const char* words) {
         if (page.atoms.is_null() && input_is_there(facts.directory / name)) {

@@ -2,20 +2,20 @@
 
 namespace ljmd {
 
-DirectoryOutputs::DirectoryOutputs(const Deck& deck, RunListener& listener, const RunControl& control)
-    : deck_(deck),
+DirectoryOutputs::DirectoryOutputs(const RunPlan& plan, RunListener& listener, const RunControl& control)
+    : plan_(plan),
       listener_(listener),
       control_(control),
-      checkpoints_(deck, control.interruption, control.continuation, control.has_begun) {}
+      checkpoints_(plan, control.interruption, control.continuation, control.has_begun) {}
 
-std::optional<LoopPosition> restored(const Deck& deck, const std::optional<Continuation>& continuation,
+std::optional<LoopPosition> restored(const RunPlan& plan, const std::optional<Continuation>& continuation,
                                      RunMeasurement& measurement, const State& state) {
     if (!continuation) {
         return std::nullopt;
     }
     const LoopPosition& position = continuation->head.position;
     measurement.resume_at(position);
-    continuation->restore(deck, state, [&measurement](Archive& a) { measurement.archive(a); });
+    continuation->restore(plan, state, [&measurement](Archive& a) { measurement.archive(a); });
     measurement.require_begun(position);
     return position;
 }

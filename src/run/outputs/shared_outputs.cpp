@@ -23,7 +23,7 @@ void SharedOutputs::errors(const std::vector<ErrorSoFar>& errors) {
 }
 
 bool SharedOutputs::frame_is_due(const State& state) const {
-    return deck_.trajectory && state.step % deck_.trajectory->every == 0;
+    return plan_.trajectory && state.step % plan_.trajectory->every == 0;
 }
 
 void SharedOutputs::frame(const State& state, const std::optional<double>& angle) {

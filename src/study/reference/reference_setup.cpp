@@ -148,13 +148,13 @@ void add_default_errors(ReferenceRequest& request, const FluidProperties& expect
     if (!request.errors.empty()) {
         return;
     }
-    // In a gas the energy is that of few pairs at a time, and its relative error falls slowly.
+    // In a gas the energy comes from few pairs at a time, and its relative error falls slowly.
     const double energy = std::max(1e-3 * std::abs(expected.potential_energy), 5e-4 * expected.temperature);
     request.errors = {{"potential_energy", energy}, {"pressure", 1e-2 * expected.density * expected.temperature}};
 }
 
 /// Relaxation times of a thin gas by the first approximation of Chapman and Enskog [tau]: D/T of velocities, eta/(rho
-/// T) of stress; below those of a liquid at liquid densities.
+/// T) of stress; below a liquid's at liquid densities.
 double relaxation_time(const ReferenceSetup& setup) {
     const double t = setup.request.temperature;
     // Neufeld, Janzen and Aziz (1972), doi:10.1063/1.1678363: the collision integral of viscosity

@@ -11,7 +11,7 @@ using Catch::Matchers::Contains;
 TEST_CASE("analyze prints the report of a run, in words or as JSON") {
     const DeckFolder folder;
     const Deck deck = folder.load({"output.thermo.every=2"});
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const RecordedRun run = recorded_run(deck.directory);
     const std::string path = deck.directory.string();
     CHECK(said([&] { command({"analyze", path}); }).out == thermo_document(thermo_report(run)).text);
@@ -27,7 +27,7 @@ TEST_CASE("analyze prints the report of a run, in words or as JSON") {
 TEST_CASE("analyze writes the tables of what it measures beside the run's own") {
     const DeckFolder folder;
     const Deck deck = folder.load({"output.trajectory.every=2"});
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const std::string path = deck.directory.string();
     const Said once = said([&] { command({"analyze", path, "rdf", "rdf"}); });
     CHECK_THAT(once.out, Contains("31 frames of 108 atoms") && Contains("20 measured, 0.008 tau apart"));

@@ -49,9 +49,9 @@ TEST_CASE("evaluate takes the potential from options or from a deck, and from th
 TEST_CASE("evaluate takes the directory of a run: its last configuration in its potential") {
     const DeckFolder folder;
     const Deck deck = folder.load({});
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const Data found = evaluated(deck.directory.string());
-    CHECK(found["step"].integer() == total_steps(deck.stages));
+    CHECK(found["step"].integer() == total_steps(deck.stages()));
     CHECK(found["pressure_parts"].text() == "kinetic and virial");
     CHECK(found["potential"]["cutoff"].number() == deck.potential().radius);
     CHECK_THROWS_WITH(evaluate(deck.directory.string(), {"--out", (deck.directory / "more.xyz").string()}),

@@ -12,7 +12,7 @@ using Catch::Matchers::Contains;
 TEST_CASE("report writes its page into the directory or where it is told, and prints where") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const std::string directory = deck.directory.string();
     CHECK(said([&] { command({"report", directory}); }).out == directory + "/report.html\n");
     CHECK_THAT(read_input(deck.directory / "report.html"), Catch::StartsWith("<!DOCTYPE html>"));
@@ -25,7 +25,7 @@ TEST_CASE("report writes its page into the directory or where it is told, and pr
 TEST_CASE("report prints the data of its page as one line of JSON, and writes nothing") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    run_until(deck, total_steps(deck.stages));
+    run_until(deck, total_steps(deck.stages()));
     const std::string directory = deck.directory.string();
     CHECK(said([&] {
               command({"report", directory, "--json"});

@@ -35,14 +35,14 @@ void check_one(const Replacements& replacements, const std::string& message) {
 
 TEST_CASE("what a few-body deck leaves out has its default") {
     const Deck deck = DeckFolder(changed(stars_deck, {{"\n[output]\nthermo = { every = 10 }\n", ""}})).load();
-    CHECK(deck.kind() == DeckKind::few_body);
-    CHECK(deck.thermo_every == 1);
+    CHECK(!deck.is_fluid());
+    CHECK(deck.sample_every() == 1);
     CHECK_FALSE(deck.trajectory.has_value());
-    CHECK_FALSE(deck.units.has_value());
-    REQUIRE(deck.stages.size() == 1);
-    CHECK(deck.stages[0].integrator.name == "velocity-verlet");
-    CHECK(deck.stages[0].sample);
-    CHECK_FALSE(deck.stages[0].reverse);
+    CHECK_FALSE(deck.units().has_value());
+    REQUIRE(deck.stages().size() == 1);
+    CHECK(deck.stages()[0].integrator.name == "velocity-verlet");
+    CHECK(deck.stages()[0].sample);
+    CHECK_FALSE(deck.stages()[0].reverse);
     CHECK(settings_in_words(deck.few_body().force.method.settings) ==
           "gravitational_constant=1 softening=0 central_mass=0");
     const Deck written = DeckFolder(stars_deck).load({"output.trajectory.every=7"});

@@ -39,7 +39,7 @@ TEST_CASE("files are there once the run begins, and not before") {
     outputs.begin(fluid, from);
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
 
-    outputs.stage_begins(deck.stages[1]);
+    outputs.stage_begins(deck.stages()[1]);
     outputs.step_done(3);
     CHECK(listener.stages == std::vector<std::string>{"production"});
     CHECK(listener.steps == std::vector<Index>{3});

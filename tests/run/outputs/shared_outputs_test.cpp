@@ -8,6 +8,7 @@
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
+using test::DeckFolder;
 using test::RankTeam;
 
 namespace {

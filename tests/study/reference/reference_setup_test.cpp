@@ -122,10 +122,10 @@ TEST_CASE("the decks of a reference are right, and measure what is asked for") {
     CHECK(analyses(transport_deck(all, 2000, -2.0)).size() == 4);
     const DeckFolder folder(transport_deck(all, 2000, -2.0));
     const Deck deck = folder.load();
-    CHECK(deck.stages.back().total_energy == -2.0);
-    CHECK_FALSE(deck.stages.back().thermostat);
-    CHECK(deck.stages.back().steps == first_steps(all, true));
-    CHECK(deck.stages.at(1).steps == 2000);
+    CHECK(deck.stages().back().total_energy == -2.0);
+    CHECK_FALSE(deck.stages().back().thermostat);
+    CHECK(deck.stages().back().steps == first_steps(all, true));
+    CHECK(deck.stages().at(1).steps == 2000);
 }
 
 TEST_CASE("no run is longer than is allowed") {
@@ -136,7 +136,7 @@ TEST_CASE("no run is longer than is allowed") {
     CHECK(first_steps(setup, false) == 3000);
     CHECK(first_steps(setup, true) == 3000);
     const DeckFolder folder(transport_deck(setup, 1000, -0.1));
-    CHECK(folder.load().stages.back().steps == 3000);
+    CHECK(folder.load().stages().back().steps == 3000);
 }
 
 TEST_CASE("a thin gas is followed for many times between collisions") {

@@ -54,7 +54,7 @@ void wait_for_writing_runs(const std::filesystem::path& folder);
 struct Gathered {
     std::vector<bool> finished;  ///< for each line
     std::size_t missing = 0;     ///< lines that are not at their ends
-    std::size_t failed = 0;      ///< those of them that were tried and have failed
+    std::size_t failed = 0;      ///< of these, lines that were tried and have failed
 
     /// Whether each run is at its end or has failed.
     [[nodiscard]] bool ended() const { return missing == failed; }

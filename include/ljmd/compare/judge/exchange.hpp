@@ -46,7 +46,7 @@ struct ExchangeFiles {
 /// @throws OutputRefused as require_writable(); FileError
 void write_problem(const Problem& problem, const std::filesystem::path& directory, bool force = false);
 
-/// The configuration that was written, to the last bit; the potential is that of the problem.
+/// The configuration that was written, to the last bit; the potential is the problem's.
 /// @throws DataError  start.xyz cannot be read, or has no velocities
 [[nodiscard]] Fluid read_start(const std::filesystem::path& directory, const PairPotential& potential, bool tail);
 

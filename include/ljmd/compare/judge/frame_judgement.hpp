@@ -49,10 +49,10 @@ struct JudgedTrajectory {
 /// By which known mistakes the trajectory differs from ours, a sentence each:
 ///
 ///     half-step velocities   v' = v -+ a dt/2 in a frame
-///     half-step start        r'(1) = r(1) +- a(0) dt^2/2: the velocities of the start were taken for those of t =
-///     -+dt/2 another time step      r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2 a stale list           forces of the first
-///     frame are right, and in a later one those of some pairs within the
-///                            cutoff are missing
+///     half-step start        r'(1) = r(1) +- a(0) dt^2/2: the start's velocities were taken for velocities at -+dt/2
+///     another time step      r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2
+///     a stale list           forces of the first frame are right, and in a later one some pairs' within the cutoff are
+///                            missing
 ///     the integration        forces are right at the engine's positions, but the atoms are elsewhere
 ///
 /// @param agreement  below it nothing is a difference

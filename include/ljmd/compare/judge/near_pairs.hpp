@@ -27,8 +27,8 @@ class NearPairs {
         Vec3 images;  ///< edges that the nearest image of j is away from j in the box: -1, 0 or 1 in each direction
     };
 
-    /// The images that a sum leaves out: missed[k][0] those of pairs with r_i - r_j < -L/2 in direction k, missed[k][1]
-    /// those with r_i - r_j > L/2. Such a pair is farther apart in the box than half an edge, and so not seen at all.
+    /// The images that a sum leaves out: missed[k][0] for pairs with r_i - r_j < -L/2 in direction k, missed[k][1] for
+    /// pairs with r_i - r_j > L/2. Such a pair is farther apart in the box than half an edge, and so not seen at all.
     using MissedImages = std::array<std::array<bool, 2>, 3>;
 
     /// All pairs closer than `range`, by their nearest images; O(N^2).

@@ -8,8 +8,8 @@
 
 namespace ljmd {
 
-/// What forces that do not sum to zero, as those of pairs must, tell of an engine; nothing if they do, or if their sum
-/// is that of rounding errors:
+/// What forces that do not sum to zero, as forces of pairs must, tell of an engine; nothing if they do, or if their sum
+/// is no larger than rounding errors make it:
 ///
 ///     constant force   F'_i = F_i + c, the same vector c for every atom: an external field
 ///     net force        |sum F'_i| is more than rounding leaves: a field that differs from place to place, or pairs

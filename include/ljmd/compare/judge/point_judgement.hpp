@@ -38,7 +38,7 @@ struct ExpectedPoint {
 /// By which known mistakes the numbers of an answer differ from ours, a sentence each; empty where none is known.
 ///
 /// A mistake that changes energy, virial and forces alike (epsilon, sigma, cutoff, missing images) is named if the
-/// numbers that ljmd finds with it are those of the answer, in all parts that it has, to a thousandth of the
+/// numbers that ljmd finds with it are the answer's, in all parts that it has, to a thousandth of the
 /// difference. If none is, each part is looked at alone: an energy that is shifted, without the tail or of one atom, a
 /// virial of the wrong sign or by a factor off, forces with a net force, a temperature of 3 N degrees of freedom.
 /// @param tolerance  of relative differences that are none

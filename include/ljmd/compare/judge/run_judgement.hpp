@@ -58,7 +58,7 @@ struct RunJudgement {
 ///                  thousand times. The mean may differ by what a time step does to K, 0.1 % at 0.004 tau
 ///     isobaric     the variances of V and of H: at most 4 standard errors of their logarithms apart
 ///
-/// Standard errors are those of block averages, so that correlations count. Series that are too short for them are not
+/// Standard errors are from block averages, so that correlations count. Series that are too short for them are not
 /// judged. Sources: Shirts (2013), doi:10.1021/ct300688p, on ensembles as tests; for the errors see
 /// BlockingAccumulator.
 [[nodiscard]] RunJudgement judge_run(const RunConditions& conditions, const RunSamples& ours, const RunSamples& theirs);

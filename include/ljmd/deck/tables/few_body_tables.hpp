@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ljmd/deck/tables/output_table.hpp"
-#include "ljmd/engine/stage.hpp"
+#include "ljmd/engine/few_body_spec.hpp"
 #include "ljmd/options/placed.hpp"
 
 namespace ljmd {
@@ -14,15 +14,6 @@ struct ForceTable {
     Choice method = {};
 
     void describe(TableDescription& description);
-};
-
-/// [[body]].
-struct BodyTable {
-    double mass = 0.0;
-    std::vector<double> position;
-    std::vector<double> velocity;
-
-    void describe(Description& description);
 };
 
 /// [[stage]] of a few-body deck.
@@ -43,7 +34,7 @@ struct FewBodyAnalysisTable {
 struct FewBodyTables {
     std::string title;
     Placed<ForceTable> force;
-    std::vector<Placed<BodyTable>> bodies;
+    std::vector<Placed<BodyStart>> bodies;
     std::vector<Placed<FewBodyStage>> stages;
     Placed<FewBodyOutputTable> output;
     Placed<FewBodyAnalysisTable> analysis;

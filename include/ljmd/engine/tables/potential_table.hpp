@@ -15,7 +15,7 @@ struct PotentialTable : Cutoff {
     std::string type;
     std::string truncation;
     std::optional<bool> tail;
-    std::map<std::string, PairPotential::Parameters> parameters;  ///< by formula; those of `type` have values
+    std::map<std::string, PairPotential::Parameters> parameters;  ///< by formula; the ones of `type` have values
 
     void describe(TableDescription& description);
 

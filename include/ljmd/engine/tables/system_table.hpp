@@ -52,8 +52,7 @@ struct SystemTable {
 
     void describe(TableDescription& description);
 
-    /// Whether the deck asks for velocities from Maxwell's distribution, or for those of the file; it may ask for
-    /// neither.
+    /// Whether the deck asks for velocities from Maxwell's distribution, or for the file's; it may ask for neither.
     [[nodiscard]] bool draws_velocities() const;
     [[nodiscard]] bool wants_velocities_of_file() const;
 

@@ -19,7 +19,7 @@ struct DigitsOfRun {
 
 /// Run problems that take a second or two together, in double and mixed precision, and compare their digits with those
 /// that this version has on every machine.
-/// @param options  threads and SIMD level; the precision is that of each problem
+/// @param options  threads and SIMD level; each problem has its own precision
 /// @throws InputError for a level with digits of its own
 [[nodiscard]] std::vector<DigitsOfRun> verify_digits(const ExecutionOptions& options);
 

@@ -85,7 +85,7 @@ class ChildProcess {
 [[nodiscard]] int run_process(const Process& process);
 
 /// Become another program: it takes over the process with its standard streams, so that signals reach it and its exit
-/// status is that of this process. It starts with the signal handlers of a ChildProcess.
+/// status becomes this process's. It starts with the signal handlers of a ChildProcess.
 /// @param program      as returned by find_program
 /// @param environment  added to the environment of this process
 /// @throws FileError  it cannot be started

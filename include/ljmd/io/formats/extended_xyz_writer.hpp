@@ -22,7 +22,7 @@ struct FrameFacts {
 /// What a frame holds beside the positions.
 struct FrameContents {
     bool velocities = false;
-    bool forces = false;                    ///< @pre those of the state are current
+    bool forces = false;                    ///< @pre the state's forces are current
     std::span<const double> energies = {};  ///< of the atoms, by id [epsilon], see atom_energies(); empty: none
     /// Of a copy, what its source tells. None for a state of a run, whose step, time and displacements are known and
     /// whose ids count from 1.
@@ -36,10 +36,10 @@ struct FrameContents {
 ///
 /// `momenta` are for ASE, which takes velocities from nothing else: the velocity times the mass that ASE gives to the
 /// species [u]. That velocity is in ASE's unit sqrt(eV/u), in a reduced file in sigma/tau.
-/// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are those of ASE,
-/// which takes them as results of a calculator. Numbers have as many digits as are needed to read back the same double.
-/// Positions are unwrapped and `positions=unwrapped` says so, or they are as in the source of a copy; ids count from 1,
-/// or are those of the source. Without a box there is no Lattice, and pbc="F F F".
+/// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are ASE's, which takes
+/// them as results of a calculator. Numbers have as many digits as are needed to read back the same double. Positions
+/// are unwrapped and `positions=unwrapped` says so, or they are as in the source of a copy; ids count from 1, or are
+/// the source's. Without a box there is no Lattice, and pbc="F F F".
 ///
 /// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
 ///            [angstrom/ps], Time [ps]; forces [eV/angstrom], energies [eV]

@@ -22,8 +22,8 @@ class OneKind {
 
     /// Add the value of an atom in a column. Numbers within a millionth count as equal, because masses in files are
     /// rounded.
-    /// @return the fault, "element 'Kr' beside 'Ar', but ljmd has one kind of atom"; empty when the value is that of
-    /// all earlier atoms
+    /// @return the fault, "element 'Kr' beside 'Ar', but ljmd has one kind of atom"; empty when all earlier atoms have
+    /// the same value
     [[nodiscard]] std::string add(std::string_view column, std::string_view value);
 
   private:

@@ -41,7 +41,7 @@ struct TrajectoryOptions {
     bool velocities = false;                   ///< write velocities as well
     bool forces = false;                       ///< write forces as well
     bool energies = false;                     ///< write the energies of the atoms as well
-    std::optional<SubstanceUnits> si = {};     ///< set: SI units; else reduced units (without a box: those of the deck)
+    std::optional<SubstanceUnits> si = {};     ///< set: SI units; else reduced units (without a box: the deck's)
     std::string creator_version = {};          ///< version of this program
     std::string author = {};                   ///< empty: "unknown"
     std::string title = {};                    ///< of the run; may be empty
@@ -57,7 +57,7 @@ class TrajectoryWriter {
     /// Append one frame. On return the system has it: readers of the file see it, and a kill does not lose it. A power
     /// cut may, until the next commit(). When writing fails, earlier frames stay and every later call throws.
     /// @param energies  of the atoms, by id, if the file has them, else none: see atom_energies()
-    /// @pre   the number of atoms and the presence of a box are those of the first state, there are energies where the
+    /// @pre   the number of atoms and the presence of a box are as in the first state, there are energies where the
     /// file has them, and forces are current where it has forces, else ContractViolation
     /// @throws FileError
     void write(const State& state, std::span<const double> energies = {});

@@ -8,8 +8,8 @@
 
 namespace ljmd {
 
-// A pair potential as a file: JSON with all its values, from which it is made again with the same bits. docs/files.md
-// describes the format.
+// A pair potential as a file: JSON with all its values, from which it is made again with the same bits.
+// docs/own-parts.md describes the format.
 
 /// "xxh3:" and XXH3 (64 bits) of all values of a table.
 [[nodiscard]] std::string checksum_of(const TabulatedPair& pair);

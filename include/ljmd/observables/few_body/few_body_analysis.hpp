@@ -22,7 +22,7 @@ struct FewBodySample {
     std::optional<PolarAngle> angle;  ///< for forces with a polar angle besides the coordinate (radial-kepler)
 };
 
-/// A result that is a single number. Units are those of the deck; angles are in rad.
+/// A result that is a single number. Units are the deck's; angles are in rad.
 struct Finding {
     std::string name;
     double value;                          ///< NaN if it has none

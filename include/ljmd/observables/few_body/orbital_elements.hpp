@@ -6,7 +6,7 @@
 namespace ljmd {
 
 /// Osculating elements of a two-body orbit: the elements of the Kepler orbit with this relative position and velocity.
-/// Units follow from those of r, v and mu. Energy and angular momentum are per reduced mass.
+/// Units follow from the units of r, v and mu. Energy and angular momentum are per reduced mass.
 struct OrbitalElements {
     double specific_energy;  ///< E = v^2/2 - mu/r; negative if bound
     Vec3 angular_momentum;   ///< h = r x v

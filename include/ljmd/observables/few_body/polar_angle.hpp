@@ -19,8 +19,8 @@ struct PolarAngle {
 ///
 ///     theta(t + dt) = theta(t) + (dt/2) (theta'(t) + theta'(t + dt)) + (dt^2/12) (theta''(t) - theta''(t + dt))
 ///
-/// The error is of fourth order in the steps, below that of integrators of the Verlet family. Steps may have any
-/// lengths, as those of an adaptive method. Source: Abramowitz and Stegun (1964), 25.4.4
+/// The error is of fourth order in the steps, below the error of integrators of the Verlet family. Steps may have any
+/// lengths, as an adaptive method's do. Source: Abramowitz and Stegun (1964), 25.4.4
 class PolarAngleQuadrature {
   public:
     /// Add the next sample.

@@ -14,20 +14,20 @@ namespace ljmd {
 /// all directions, and only its fluctuations would be added. Beside it the profiles of density and pressure across the
 /// box, as pressure_profile() has them, in a frame in which the middle of the film rests at 0.
 ///
-/// The density of the liquid is that of the layers within half the half-thickness h of the film, that of the vapour
-/// that of the outer half of what is left, |z| > (h + L/2)/2. The surfaces lie at +-h, where the mean profile has the
+/// The density of the liquid is measured in the layers within half the half-thickness h of the film, the density of the
+/// vapour in the outer half of what is left, |z| > (h + L/2)/2. The surfaces lie at +-h, where the mean profile has the
 /// mean of its values in the middle and at the end of the box. Neither has a value where the two do not differ by more
 /// than the larger one's half, or where half the liquid or the vapour is thinner than 2 sigma. Tension and pressure
 /// have a value where both densities have one: a homogeneous fluid has no surface, and neither has a film seen along
 /// another axis.
 ///
-/// A plain cut exerts no impulse where pairs cross the cutoff; its forces, and so gamma, are those of the shifted
-/// potential. A tail correction is for homogeneous fluids: with one there is no value.
+/// A plain cut exerts no impulse where pairs cross the cutoff; its forces, and so gamma, are the shifted potential's. A
+/// tail correction is for homogeneous fluids: with one there is no value.
 ///
 /// Standard errors by block averaging over the sampled configurations.
 /// Table `film`: z (middle of the layer) [sigma], density, density_standard_error [sigma^-3], normal_pressure, its
 /// error, tangential_pressure, its error [epsilon/sigma^3]. Observables: surface_tension [epsilon/sigma^2],
-/// liquid_density, vapour_density [sigma^-3], normal_pressure (of the box; at equilibrium that of the vapour).
+/// liquid_density, vapour_density [sigma^-3], normal_pressure (of the box; at equilibrium the vapour's).
 /// Source: Kirkwood and Buff (1949), doi:10.1063/1.1747248; Allen and Tildesley, 2nd ed., sections 14.1 and 14.2
 class Film : public Analysis {
   public:

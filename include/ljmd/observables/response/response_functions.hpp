@@ -33,7 +33,7 @@ struct ResponseSample {
 ///     w       = (K_S/rho)^(1/2)                speed of sound
 ///     mu_JT   = (T alpha_p - 1)/(rho c_p)      Joule-Thomson coefficient      (dT/dp)_H
 ///
-/// Errors are those of the whole formula as a function of all means, with their correlations: the larger one of that by
+/// Errors are for the whole formula as a function of all means, with their correlations: the larger one of the error by
 /// block averages (BlockingAccumulator, to first order) and of a jackknife over 32 to 64 blocks (JackknifeBlocks). To
 /// it is added what the value would change if all variances were too low by 1/n, n being the independent samples of the
 /// fluctuating quantities. There is no value where the run is too short for these errors; where K_T or c_v is not known

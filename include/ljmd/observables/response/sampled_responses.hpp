@@ -8,7 +8,7 @@ namespace ljmd {
 
 /// Response functions of the configurations of a run, see ResponseFunctions.
 ///
-/// They are those of the potential in which the atoms move: energies are counted from its value at the cutoff
+/// They belong to the potential in which the atoms move: energies are counted from its value at the cutoff
 /// (PairCurvature), which for `cut` is not the energy that a run reports. With a tail correction the fluid has the
 /// energy whose derivative is p_tail = A rho^2, namely p_tail V, and -V dp_tail/dV = 2 p_tail.
 class SampledResponses : public Analysis {

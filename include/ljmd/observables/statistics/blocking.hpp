@@ -42,9 +42,9 @@ enum class Covariance { diagonal, full };
 /// condition balances the bias of short blocks against the scatter of few blocks; it takes about a hundred independent
 /// samples.
 ///
-/// Fluctuations that are slow but small are hidden below the noise of fast ones at that level: in a gas, those of bound
-/// pairs below that of collisions. So longer blocks are looked at, too, as long as there are 32. If their error e_l is
-/// larger by more than its scatter explains, the largest such one is reported:
+/// Fluctuations that are slow but small are hidden below the noise of fast ones at that level: in a gas, the
+/// fluctuations of bound pairs below the noise of collisions. So longer blocks are looked at, too, as long as there are
+/// 32. If their error e_l is larger by more than its scatter explains, the largest such one is reported:
 ///
 ///     e_l > e_k (1 + 1.5 (u_l^2 - u_k^2)^(1/2)),   u = 1/(2 (blocks - 1))^(1/2)
 ///
@@ -87,7 +87,7 @@ class BlockingAccumulator {
     /// Mean and error of one component. @throws InputError unless 0 <= component < width
     [[nodiscard]] Estimate estimate(Index component) const;
 
-    /// Estimate of a function f of the means by the delta method: the error is that of the series g . x with g =
+    /// Estimate of a function f of the means by the delta method: the error is taken from the series g . x with g =
     /// df/dmean at the means. For ratios such as Z = p / (rho T). f must be smooth over a few standard errors.
     ///
     /// Its parts are the components with g != 0 that contribute more than a tenth of the error. There are none where

@@ -37,8 +37,8 @@ struct Equilibration {
 };
 
 /// Find where a run comes to equilibrium. The second half of its columns is the reference. Pieces of the first half, of
-/// 1, 2, 4, ... samples, up to 16 of each length from the start on, have their means compared with that of the second
-/// half, and those of its own halves are compared with each other. Two means differ if they lie
+/// 1, 2, 4, ... samples, up to 16 of each length from the start on, have their means compared with the second half's,
+/// and the means of its own halves are compared with each other. Two means differ if they lie
 ///
 ///     |m_1 - m_2| > (7 + 100/n*) (v (s_1 + s_2))^(1/2),   s_i = min(1, g/n_i),   n* = n/g
 ///

@@ -8,7 +8,7 @@ namespace ljmd {
 ///
 ///     x(t0 + s h) = x0 + w (x1 - x0) + h s (1-s) [(1-s) v0 - s v1],  w = s^2 (3 - 2 s),  0 <= s <= 1
 ///
-/// The error of the value is at most h^4/384 max|x''''|; that of the rate is O(h^3).
+/// The error of the value is at most h^4/384 max|x''''|; the error of the rate is O(h^3).
 /// Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I (1993), section II.6.
 /// @tparam T  double or Vec3
 template <class T>

@@ -14,7 +14,7 @@ struct IntervalMean {
     Index intervals;        ///< at least 1
 };
 
-/// Empty for fewer than two marks. The error is that of independent intervals. If the marks themselves are uncertain,
+/// Empty for fewer than two marks. The error is for independent intervals. If the marks themselves are uncertain,
 /// neighbouring intervals have opposite errors, and the mean is better known than its error says.
 [[nodiscard]] std::optional<IntervalMean> mean_interval(const std::vector<double>& marks);
 

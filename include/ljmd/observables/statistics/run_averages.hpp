@@ -17,19 +17,19 @@ namespace ljmd {
 /// three (delta method).
 ///
 /// Pairs that form and part slowly, as in a gas, are hidden in the pressure below the noise of the motion, in the
-/// virial and in Z below that of collisions. They show in the potential energy. So all that the forces contribute to
-/// counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential energy
-/// needs, and a guess if that of the potential energy is one. A short run of a gas has so few of these pairs that they
-/// do not show there either. Such a run is short beside the time between collisions, and the shear stress, which
-/// collisions make relax, tells so: blocks four times as long give p_xy, p_xz and p_yz together an error that is more
-/// than 1.6 times as large. (At least 16 blocks remain.) All that the forces contribute to is then a guess.
+/// virial and in Z below the noise of collisions. They show in the potential energy. So all that the forces contribute
+/// to counts it among its parts (BlockingAccumulator): its error is from blocks as long as those that the potential
+/// energy needs, and a guess if the potential energy's is one. A short run of a gas has so few of these pairs
+/// that they do not show there either. Such a run is short beside the time between collisions, and the shear stress,
+/// which collisions make relax, tells so: blocks four times as long give p_xy, p_xz and p_yz together an error that is
+/// more than 1.6 times as large. (At least 16 blocks remain.) All that the forces contribute to is then a guess.
 ///
 /// Energy that a bath exchanges slowly is hidden likewise, and shows in the total energy. It is a part of all averages
-/// where its error is more than 1.5 times that of the potential energy, as is the density where the volume fluctuates.
+/// where its error is more than 1.5 times the potential energy's, as is the density where the volume fluctuates.
 /// With fewer than 24 independent samples of these the errors are guesses. If the bath takes up a deviation of the
 /// kinetic energy in k_K samples, the total one needs k = k_K var(E)/var(K), since the potential energy shares what the
-/// bath gives. Of n samples n_E = n/(2 k) are then independent, or fewer, and the error of a mean x is at least that of
-/// the part that follows the energy,
+/// bath gives. Of n samples n_E = n/(2 k) are then independent, or fewer, and the error of a mean x is at least the
+/// error of the part that follows the energy,
 ///
 ///     |cov(x, E)|/(var(E) n_E)^(1/2)
 ///

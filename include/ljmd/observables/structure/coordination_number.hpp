@@ -17,7 +17,7 @@ namespace ljmd {
 ///
 ///     n = sum of N_k over the shells within r_m, plus a fraction of the last one by volume
 ///
-/// The standard error is that of n as a function of all N_k (delta method, block averaging), including the position of
+/// The standard error is n's as a function of all N_k (delta method, block averaging), including the position of
 /// the minimum: dr_m/dN_k = -(d slope/dN_k)/(d slope/dr). There is no value without a significant minimum: the rise
 /// behind it must be 5 times its standard error, from at least 16 independent configurations, and r_m must be known to
 /// 0.05 sigma. Dilute and ideal gases have none. Source of the fit: Fan and Gijbels (1996), Local Polynomial Modelling,

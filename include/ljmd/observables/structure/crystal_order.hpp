@@ -25,7 +25,7 @@ namespace ljmd {
 ///
 /// u is measured from the nearest site, see crystal_displacements.hpp. There is no value but the Bragg peak where S(G)
 /// of the shortest G is below N/10: there is no such crystal then. With an edge unlike the others, and with a
-/// barostat, cells are those of the box of each configuration, and G the mean over a family.
+/// barostat, cells are taken from the box of each configuration, and G is the mean over a family.
 ///
 /// Standard errors by block averaging over the sampled configurations. Table `bragg`: k (= G) [1/sigma], miller_h,
 /// miller_k, miller_l, vectors (G and -G count once), S, debye_waller_factor, debye_waller_gaussian

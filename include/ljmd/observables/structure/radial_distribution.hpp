@@ -16,7 +16,7 @@ namespace ljmd {
 /// n_k: ordered pairs with distance in [r_k, r_{k+1}). With N (N - 1) instead of N^2, g of an ideal gas is 1 for every
 /// N. The integral is a sine transform by the midpoint rule. It lacks g beyond R, which causes ripples of wave length 2
 /// pi/R, and says nothing about waves longer than R: the curve begins at k = 2 pi/R. StructureFactor has no such limit
-/// but that of the box.
+/// but the box.
 /// Standard errors by block averaging over the sampled configurations.
 /// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms within the end of the
 /// bin), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 8 ... bins; there is none

@@ -12,7 +12,7 @@ namespace ljmd {
 ///
 ///     D_inf = D + 2.837297 T/(6 pi eta L)
 ///
-/// The error is that of D and eta, taken as independent; T is known much better.
+/// The error is from D and eta, taken as independent; T is known much better.
 /// @return diffusion_infinite_system if the averages contain diffusion, viscosity and temperature and the box is a
 /// cube; without a value if one of them has none or if the viscosity is not above zero
 /// Source: Yeh and Hummer (2004), doi:10.1021/jp0477147

@@ -11,7 +11,7 @@ namespace ljmd {
 ///     J V = sum_i v_i^2/2 v_i + 1/2 sum_{i<j} [u_ij (v_i + v_j) + (f_ij . (v_i + v_j)) r_ij]
 ///
 /// A fluid of one component at rest carries no enthalpy with its atoms: sum_i h v_i = 0, and no such term is
-/// subtracted. Energies are those of the truncated potential, without tail: the tail is the same for all atoms and
+/// subtracted. Energies are the truncated potential's, without tail: the tail is the same for all atoms and
 /// carries nothing. A potential with a step at the cutoff is not described by its forces: see
 /// AnalysisNeeds::continuous_potential.
 ///

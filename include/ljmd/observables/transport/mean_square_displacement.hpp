@@ -11,9 +11,9 @@ namespace ljmd {
 ///     msd(t) = 1/N sum_i |r_i(t0 + t) - r_i(t0)|^2,   D = 1/6 d msd/dt
 ///
 /// Positions are unwrapped and relative to the centre of mass (centre_frame.hpp). Time origins t0 are equally spaced,
-/// `origins` of them within the largest time. The slope is that of the least-squares line from fit_start to the largest
-/// time, for each origin. Standard errors of msd by block averaging over origins, that of D by their known overlap, see
-/// overlapping_origins.hpp.
+/// `origins` of them within the largest time. The slope is of the least-squares line from fit_start to the largest
+/// time, for each origin. Standard errors of msd by block averaging over origins, the error of D by their known
+/// overlap, see overlapping_origins.hpp.
 ///
 /// Table `msd`: time [tau], msd [sigma^2], its error. Observable: diffusion.
 /// Memory: 24 bytes per atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4

@@ -12,9 +12,9 @@ namespace ljmd {
 ///     eta_v(t)  = V/T integral from 0 to t of C,   eta_v = eta_v(max_time)
 ///
 /// Only stages without thermostat count. In the canonical ensemble dp contains (dp/dE)_V dE, and E fluctuates as slowly
-/// as the thermostat lets it: the integral would be that of the thermostat.
+/// as the thermostat lets it: the integral would measure the thermostat.
 ///
-/// The mean is not known but as that of the stage, p_s, so each stage has its own. It lies closer to the stage's
+/// The mean is not known but as the stage's, p_s, so each stage has its own. It lies closer to the stage's
 /// pressures than <p> does, which lowers the correlation at all times by the variance of p_s, 2/T_s integral of C in a
 /// stage of length T_s. This is corrected, window by window, with I the integral up to max_time of p - p_s:
 ///

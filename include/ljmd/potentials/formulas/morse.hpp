@@ -41,8 +41,8 @@ class Morse {
         return {Real(depth_) * e * (e - Real(2)), Real(2 * depth_ * steepness_) * e * (e - Real(1)) * d.inverse_r};
     }
 
-    /// Tail integrals in closed form, from those of r^2 exp(-b (r - r0)), e^(-b (R - r0)) (R^2/b + 2 R/b^2 + 2/b^3)
-    /// with b = a and 2 a; and of w r^4 = -u' r^3 by parts: u(R) R^3 + 3 times that of u r^2.
+    /// Tail integrals in closed form, from the integrals of r^2 exp(-b (r - r0)), e^(-b (R - r0)) (R^2/b + 2 R/b^2 +
+    /// 2/b^3) with b = a and 2 a; and of w r^4 = -u' r^3 by parts: u(R) R^3 + 3 times the integral of u r^2.
     [[nodiscard]] TailIntegrals tail(double radius) const {
         const auto integral = [radius](double b) { return (radius * radius + (2.0 * radius + 2.0 / b) / b) / b; };
         const double e = exp(-steepness_ * (radius - minimum_));

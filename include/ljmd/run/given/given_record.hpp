@@ -47,7 +47,7 @@ struct GivenAgain {
     std::shared_ptr<ExternalForce> external = {};
 };
 
-/// The parts of a run that is resumed: those of its record, with the potential that is given again, if one is.
+/// The parts of a run that is resumed: as in its record, with the potential that is given again, if one is.
 /// @throws CheckpointError  they are not those that the run was begun with, or the potential is missing
 [[nodiscard]] GivenParts resumed_parts(GivenParts recorded, const GivenAgain& again,
                                        const std::filesystem::path& directory);

@@ -12,13 +12,13 @@ namespace ljmd {
 
 /// Bring a run back to the checkpoint that it is resumed from, if it is. Collective where ranks share it.
 /// @return the position to resume the time loop from  @throws CheckpointError
-[[nodiscard]] std::optional<LoopPosition> restored(const Deck& deck, const std::optional<Continuation>& continuation,
+[[nodiscard]] std::optional<LoopPosition> restored(const RunPlan& plan, const std::optional<Continuation>& continuation,
                                                    RunMeasurement& measurement, const State& state);
 
 /// The outputs of a run with a directory: its files, its checkpoints, and the listener.
 class DirectoryOutputs : public RunOutputs {
   public:
-    DirectoryOutputs(const Deck& deck, RunListener& listener, const RunControl& control);
+    DirectoryOutputs(const RunPlan& plan, RunListener& listener, const RunControl& control);
 
     /// Open the files. Nothing was changed before.
     /// @param system  a FluidSystem or FewBodySystem that was restored, see restored()
@@ -26,12 +26,12 @@ class DirectoryOutputs : public RunOutputs {
     template <class System>
     void begin(const System& system, const std::optional<LoopPosition>& from) {
         if (from) {
-            check_outputs(deck_, *control_.continuation);
+            check_outputs(plan_, *control_.continuation);
             if (from->begun) {
-                listener_.stage_begins(deck_.stages.at(from->stage));
+                listener_.stage_begins(plan_.stages().at(from->stage));
             }
         }
-        files_.emplace(deck_, system, control_.continuation);
+        files_.emplace(plan_, system, control_.continuation);
     }
 
     [[nodiscard]] RunDirectory& files() { return *files_; }
@@ -54,7 +54,7 @@ class DirectoryOutputs : public RunOutputs {
                     const std::function<void(Archive&)>& archive) override;
 
   private:
-    const Deck& deck_;
+    const RunPlan& plan_;
     RunListener& listener_;
     const RunControl& control_;
     RunCheckpoints checkpoints_;

@@ -13,8 +13,8 @@ namespace ljmd {
 class SharedOutputs : public RunOutputs {
   public:
     /// @param outputs  at rank 0; null elsewhere
-    SharedOutputs(const Deck& deck, Ranks& ranks, RunOutputs* outputs)
-        : deck_(deck), ranks_(ranks), outputs_(outputs) {}
+    SharedOutputs(const RunPlan& plan, Ranks& ranks, RunOutputs* outputs)
+        : plan_(plan), ranks_(ranks), outputs_(outputs) {}
 
     void stage_begins(const Stage& stage) override;
     using RunOutputs::row;
@@ -29,7 +29,7 @@ class SharedOutputs : public RunOutputs {
                     const std::function<void(Archive&)>& archive) override;
 
   private:
-    const Deck& deck_;
+    const RunPlan& plan_;
     Ranks& ranks_;
     RunOutputs* outputs_;
 };

@@ -28,8 +28,8 @@ struct FoundEquilibration {
 /// By detect_equilibration() of energy and pressure of each run. @pre there is a run
 [[nodiscard]] FoundEquilibration found_equilibration(const std::vector<CanonicalSeries>& runs);
 
-/// How many of its standard errors the mean of the second halves of all runs differs from that of the first ones: large
-/// where the runs are not in equilibrium, or change their phase. @return 0 for runs too short to tell
+/// How many of its standard errors the mean of the second halves of all runs differs from the mean of the first ones:
+/// large where the runs are not in equilibrium, or change their phase. @return 0 for runs too short to tell
 [[nodiscard]] double difference_of_halves(const std::vector<std::vector<double>>& runs);
 
 }  // namespace ljmd

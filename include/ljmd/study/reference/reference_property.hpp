@@ -19,7 +19,7 @@ enum class MeasuredBy {
 
 /// A property that `ljmd reference` finds.
 struct ReferenceProperty {
-    const char* name;     ///< as in results.json; of `structure` that of the analysis
+    const char* name;     ///< as in results.json; for `structure` the name of the analysis
     const char* alias;    ///< a short name for the command line
     MeasuredBy measured;  ///< how
     double

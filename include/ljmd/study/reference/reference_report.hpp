@@ -34,7 +34,7 @@ struct ReferenceFindings {
 inline constexpr double largest_difference_of_halves = 4.5;
 
 /// The report. Data: each property by its name, with mean, statistical_error, systematic_error, total_error,
-/// cutoff_correction, size_correction, equation_of_state (that of thol2016), equations_of_state (all), unit, remark;
+/// cutoff_correction, size_correction, equation_of_state (by thol2016), equations_of_state (all), unit, remark;
 /// temperature, density, phase, phase_diagram, runs, errors, warnings, citation. Text: the table, remarks, a paragraph
 /// to cite. @param screen  columns; none: any width
 [[nodiscard]] Document reference_report(const ReferenceSetup& setup, const ReferenceFindings& findings,

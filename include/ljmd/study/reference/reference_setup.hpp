@@ -73,7 +73,7 @@ inline constexpr double max_structure_factor_at_zero = 8.0;
 /// time step. @param equilibration  steps before sampling
 [[nodiscard]] std::string canonical_deck(const ReferenceSetup& setup, Index equilibration);
 
-/// The deck of a run at constant energy, for transport. @param total_energy  per atom, that of the canonical runs
+/// The deck of a run at constant energy, for transport. @param total_energy  per atom, the canonical runs'
 [[nodiscard]] std::string transport_deck(const ReferenceSetup& setup, Index equilibration, double total_energy);
 
 /// Length of the sampled stage in the deck of a canonical or a transport run [steps]. Later rounds add steps until the

@@ -41,7 +41,7 @@ struct ReplicaFolder {
 /// What canonical replicas have found: energy, pressure, compressibility factor, and what else the request has.
 ///
 /// Energy and pressure are means of canonical_series(), merged (merged_mean()), with cutoff_energy and cutoff_pressure
-/// added (CutoffCorrection), and less canonical_size_shift(). Statistical errors are those of until-error runs, e (1 +
+/// added (CutoffCorrection), and less canonical_size_shift(). Statistical errors are as for until-error runs, e (1 +
 /// 2/nu), with e of block averages. Systematic errors are the sum of squares of
 ///
 /// - the cutoff: the second order of the response of the structure, which is a part 2 |c| rho S(0)/T of the first one
@@ -65,8 +65,8 @@ struct ReplicaFolder {
 /// cutoff and of N atoms at rest as a whole, for runs at constant energy.
 [[nodiscard]] double found_total_energy(const ReferenceSetup& setup, const ReplicaFolder& canonical);
 
-/// The density at the pressure of the request: that of the runs, plus (p_0 - p)/(dp/drho). The errors are those of p
-/// over dp/drho. @pre the request has a pressure, and `pressure` a mean
+/// The density at the pressure of the request: the runs' density, plus (p_0 - p)/(dp/drho). The errors are the errors
+/// of p over dp/drho. @pre the request has a pressure, and `pressure` a mean
 [[nodiscard]] ReferenceValue density_at_pressure(const ReferenceSetup& setup, const ReferenceValue& pressure);
 
 }  // namespace ljmd

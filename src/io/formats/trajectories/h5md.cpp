@@ -376,7 +376,7 @@ double h5md_bytes(Index atoms, Index frames, const AtomColumns& columns) {
 ///     particles/trajectory/force        when asked for
 ///     particles/trajectory/potential_energy  value (F, N), energies of the atoms, when asked for
 ///
-/// step and time of the others are hard links to those of position. Files in SI units have `unit` attributes nm, ps,
+/// step and time of the others are hard links to position's. Files in SI units have `unit` attributes nm, ps,
 /// nm ps-1, kJ mol-1 nm-1 and kJ mol-1; reduced files have none, because readers refuse unknown units.
 ///
 /// A chunk holds up to 64 frames and up to 64 KiB; larger frames have chunks of their own, those above 1 MiB several.

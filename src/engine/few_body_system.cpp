@@ -1,4 +1,4 @@
-#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_system.hpp"
 
 namespace ljmd {
 
@@ -14,7 +14,7 @@ Vec3 padded(const std::vector<double>& components) {
 
 }  // namespace
 
-State few_body_start(const std::vector<Placed<BodyTable>>& bodies, const FewBodyForceOptions& force,
+State few_body_start(const std::vector<BodyStart>& bodies, const FewBodyForceOptions& force,
                      const Execution& execution) {
     State state(static_cast<Index>(bodies.size()), std::nullopt, execution);
     auto r = state.write_positions();
@@ -28,16 +28,15 @@ State few_body_start(const std::vector<Placed<BodyTable>>& bodies, const FewBody
     return state;
 }
 
-FewBodySystem make_few_body_system(const Deck& deck, const Execution& execution) {
-    const FewBodyTables& tables = deck.few_body();
-    const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
-    FewBodySystem system{few_body_start(tables.bodies, *force.options, execution),
-                         static_cast<int>(tables.bodies.front().position.size()),
+FewBodySystem make_few_body_system(const FewBodySpec& spec, const Execution& execution) {
+    const ChosenFewBodyForce force = chosen_few_body_force(spec.force);
+    FewBodySystem system{few_body_start(spec.bodies, *force.options, execution),
+                         static_cast<int>(spec.bodies.front().position.size()),
                          force,
                          force.options->make(),
                          {}};
     const FewBodyTarget target{system.state.count(), system.dimensions, system.force};
-    for (const Choice& analysis : tables.analysis.asked) {
+    for (const Choice& analysis : spec.analyses) {
         system.analyses.emplace_back(analysis.name, chosen_few_body_analysis(analysis).options->make(target));
     }
     return system;
