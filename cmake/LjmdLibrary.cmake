@@ -62,7 +62,6 @@ add_library(ljmd::engine ALIAS ljmd_engine)
 set_target_properties(ljmd_engine PROPERTIES EXPORT_NAME engine)
 target_precompile_headers(ljmd_engine PRIVATE ${ljmd_precompiled_headers})
 add_dependencies(ljmd_engine ljmd_version_header)
-target_include_directories(ljmd_engine SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(ljmd_engine
     PUBLIC Eigen3::Eigen
     PRIVATE Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::xxhash)

@@ -1,7 +1,6 @@
 #include "ljmd/core/random.hpp"
 
-#include <Random123/philox.h>
-
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -11,12 +10,31 @@ namespace ljmd {
 
 namespace {
 
-using Philox = r123::Philox4x64;
+using Counter = std::array<std::uint64_t, 4>;
+using PhiloxKey = std::array<std::uint64_t, 2>;
 
-Philox::ctr_type draw(std::uint64_t seed, RandomStream stream, Index step, Index atom) {
-    Philox::ctr_type counter = {{static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0}};
-    Philox::key_type key = {{seed, static_cast<std::uint64_t>(stream)}};
-    return Philox{}(counter, key);
+/// Philox-4x64 with ten rounds: multipliers, and the steps by which the key goes on from round to round, from Salmon et
+/// al. (2011).
+Counter philox(Counter c, PhiloxKey key) {
+    __extension__ using Wide = unsigned __int128;
+    constexpr int rounds = 10;
+    for (int round = 0; round < rounds; ++round) {
+        const Wide a = Wide{0xD2E7470EE14C6C93U} * c[0];
+        const Wide b = Wide{0xCA5A826395121157U} * c[2];
+        c = {static_cast<std::uint64_t>(b >> 64U) ^ c[1] ^ key[0], static_cast<std::uint64_t>(b),
+             static_cast<std::uint64_t>(a >> 64U) ^ c[3] ^ key[1], static_cast<std::uint64_t>(a)};
+        key[0] += 0x9E3779B97F4A7C15U;
+        key[1] += 0xBB67AE8584CAA73BU;
+    }
+    return c;
+}
+
+Counter first_counter(Index step, Index atom) {
+    return {static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0};
+}
+
+Counter draw(std::uint64_t seed, RandomStream stream, Index step, Index atom) {
+    return philox(first_counter(step, atom), {seed, static_cast<std::uint64_t>(stream)});
 }
 
 /// The upper 53 bits as a number in [0, 1).
@@ -33,12 +51,12 @@ double radius(double f) {
 /// An unlimited sequence, numbered by the third word of the counter.
 class Sequence {
   public:
-    Sequence(Philox::ctr_type counter, Philox::key_type key) : counter_(counter), key_(key) {}
+    Sequence(const Counter& counter, const PhiloxKey& key) : counter_(counter), key_(key) {}
 
     double uniform() {
         if (left_ == 0) {
             ++counter_[2];
-            block_ = Philox{}(counter_, key_);
+            block_ = philox(counter_, key_);
             left_ = block_.size();
         }
         return fraction(block_[--left_]);
@@ -50,9 +68,9 @@ class Sequence {
     }
 
   private:
-    Philox::ctr_type counter_;
-    Philox::key_type key_;
-    Philox::ctr_type block_{};
+    Counter counter_;
+    PhiloxKey key_;
+    Counter block_{};
     std::size_t left_ = 0;
 };
 
@@ -72,8 +90,7 @@ Vec3 Random::normal(Index step, Index atom) const {
 }
 
 double Random::gamma(Index step, Index atom, double shape) const {
-    Sequence sequence({{static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0}},
-                      {{seed_, static_cast<std::uint64_t>(stream_)}});
+    Sequence sequence(first_counter(step, atom), {seed_, static_cast<std::uint64_t>(stream_)});
     // With d = shape - 1/3 and c = 1/sqrt(9 d), d (1 + c x)^3 of a normal x is nearly such a number; the rest is done
     // by rejection. Below 1 from a number of shape + 1, times u^(1/shape).
     const double d = (shape < 1.0 ? shape + 1.0 : shape) - 1.0 / 3.0;

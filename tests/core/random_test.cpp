@@ -45,7 +45,7 @@ double correlation(const std::vector<double>& x, const std::vector<double>& y) {
 
 TEST_CASE("random numbers are those of Philox-4x64-10 and never change") {
     // Computed with numpy.random.Philox(key=[seed, stream], counter=[step, atom, 0, 0]); the first block of all zeros
-    // is also in the known answers that come with Random123 (philox4x64 10).
+    // is also in the known answers of its authors (Random123, philox4x64 10).
     struct Case {
         std::uint64_t seed;
         RandomStream stream;
