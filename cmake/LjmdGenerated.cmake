@@ -2,14 +2,14 @@
 # only when its text changes, and only src/core/build_info.cpp includes it, so that a new commit recompiles one file.
 set(ljmd_version_include ${PROJECT_BINARY_DIR}/generated/private)
 
-# The flags that can change numbers; warnings cannot.
+# The flags that can change numbers: optimization, machine, sanitizers and arithmetic. Others, such as those with which a
+# distribution maps the paths of its build, would bring these paths into every run.json.
 get_target_property(ljmd_flags ljmd_options INTERFACE_COMPILE_OPTIONS)
-list(FILTER ljmd_flags EXCLUDE REGEX "^-W")
-list(JOIN ljmd_flags " " ljmd_flags)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" ljmd_build_type)
-set(ljmd_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${ljmd_build_type}} ${ljmd_flags}")
-string(REGEX REPLACE " +" " " ljmd_flags "${ljmd_flags}")
-string(STRIP "${ljmd_flags}" ljmd_flags)
+separate_arguments(ljmd_own_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${ljmd_build_type}}")
+list(PREPEND ljmd_flags ${ljmd_own_flags})
+list(FILTER ljmd_flags INCLUDE REGEX "^-(O|m|DNDEBUG|f[a-z-]*(math|contract|precision|zeros|nans|store|sanitize|lto))")
+list(JOIN ljmd_flags " " ljmd_flags)
 
 # ljmd/cli/example_deck_texts.hpp: the decks that `ljmd init` writes, and that `ljmd bench` runs when it is given none.
 # continue.toml starts from the run of another deck.

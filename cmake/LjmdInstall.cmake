@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
 if(LJMD_PROGRAM)
-    install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
 if(ljmd_modules)
     install(TARGETS ${ljmd_modules} DESTINATION ${CMAKE_INSTALL_LIBDIR}/ljmd)
@@ -38,7 +38,7 @@ while(found)
     install(FILES ${folder}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${place})
 endwhile()
 if(LJMD_PROGRAM)
-    install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd PATTERN "__pycache__" EXCLUDE)
+    install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd COMPONENT program PATTERN "__pycache__" EXCLUDE)
     ljmd_install_python_sources()
 endif()
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -47,7 +47,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "notebook" EX
 
 install(EXPORT ljmd_engine NAMESPACE ljmd:: FILE ljmdEngineTargets.cmake DESTINATION ${ljmd_package_dir})
 configure_package_config_file(cmake/ljmdConfig.cmake.in ljmdConfig.cmake INSTALL_DESTINATION ${ljmd_package_dir})
-write_basic_package_version_file(ljmdConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(ljmdConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ljmdConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/ljmdConfigVersion.cmake
         DESTINATION ${ljmd_package_dir})
 

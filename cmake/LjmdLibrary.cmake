@@ -44,9 +44,7 @@ function(ljmd_part target kind)
         PRIVATE ${ljmd_version_include})
     # This project's own options are no business of who links an installed ljmd; nor are libraries of headers alone.
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:ljmd_options> fmt::fmt)
-    # As long as the major version is 0, every minor one may change what is there.
-    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
-                                               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
                                                DEFINE_SYMBOL "")  # a precompiled header serves both
     get_target_property(type ${target} TYPE)
     if(type STREQUAL SHARED_LIBRARY AND NOT APPLE)

@@ -27,6 +27,7 @@ def _candidates():
         return
     from . import _core
     package = pathlib.Path(_core.__file__).resolve().parent
+    yield package / "bin" / "ljmd"  # of a wheel
     yield package.parents[1] / "ljmd"  # of the build tree
     yield from (folder / "bin" / "ljmd" for folder in package.parents[1:6])  # of an installation
     if shutil.which("ljmd"):

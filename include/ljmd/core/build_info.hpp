@@ -6,7 +6,7 @@ namespace ljmd {
 
 /// Build of the program, for run records and `ljmd info`.
 struct BuildInfo {
-    std::string version;           ///< "0.1.0"
+    std::string version;           ///< "1.0.0"
     std::string commit;            ///< 40 hex digits, followed by "-dirty" if tracked files differ; or "unknown"
     std::string compiler;          ///< "GNU", "Clang", ...
     std::string compiler_version;  ///< "12.2.0"
