@@ -150,8 +150,9 @@ class Session {
             return text;
         };
         try {
-            run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
             const fs::path output = place / answer_folder;
+            run_engine(line, place / log_name, {.seconds = seconds_of(compared_.timeout), .folder = output},
+                       until_signal());
             if (!has_answer(output)) {
                 throw DataError(
                     "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: "

@@ -73,6 +73,22 @@ std::string last_words(const fs::path& log) {
     return words.empty() ? "; it has printed nothing" : "; the last that it has printed:" + words;
 }
 
+/// Bytes of the files in a folder and in those within it. What cannot be looked at, or is removed meanwhile, does not
+/// count.
+std::uintmax_t bytes_within(const fs::path& folder) {
+    std::uintmax_t bytes = 0;
+    try {
+        for (const fs::path& entry : files::list(folder)) {
+            const fs::file_type type = files::type_of(entry);
+            bytes += type == fs::file_type::regular     ? files::size_of(entry).value_or(0)
+                     : type == fs::file_type::directory ? bytes_within(entry)
+                                                        : 0;
+        }
+    } catch (const FileError&) {
+    }
+    return bytes;
+}
+
 }  // namespace
 
 std::string engine_command(const std::string& command, const fs::path& input, const fs::path& output) {
@@ -93,25 +109,33 @@ std::string engine_command(const std::string& command, const fs::path& input, co
     return line;
 }
 
-void run_engine(const std::string& command, const fs::path& log, double seconds, const Interruption& interruption) {
+void run_engine(const std::string& command, const fs::path& log, const EngineLimits& limits,
+                const Interruption& interruption) {
     using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = Clock::now() + std::chrono::duration<double>(limits.seconds);
     ChildProcess engine(
         {.program = "/bin/sh", .arguments = {"-c", command}, .directory = ".", .output = log, .kept = true});
-    const auto prints_too_much = [&] { return files::size_of(log).value_or(0) > most_printed; };
-    const std::optional<int> status =
-        engine.wait_while([&] { return !interruption.request() && Clock::now() < end && !prints_too_much(); });
+    std::string excess;
+    const auto goes_too_far = [&] {
+        if (files::size_of(log).value_or(0) > most_printed) {
+            excess = fmt::format("it prints more than {} MiB, which nobody reads", most_printed >> 20U);
+        } else if (!limits.folder.empty() && bytes_within(limits.folder) > limits.written) {
+            excess = fmt::format("it has written more than {:.3g} GB, which nobody reads",
+                                 static_cast<double>(limits.written) * 1e-9);
+        } else if (Clock::now() >= end) {
+            excess = "it takes longer than --timeout allows";
+        }
+        return !excess.empty();
+    };
+    const std::optional<int> status = engine.wait_while([&] { return !interruption.request() && !goes_too_far(); });
     if (!status) {
         engine.stop();
         if (interruption.request()) {
             interruption.stop_many_runs();
         }
-        throw DataError(
-            prints_too_much()
-                ? fmt::format("the engine was stopped: it prints more than {} MiB, which nobody reads{}",
-                              most_printed >> 20U, last_words(log))
-                : fmt::format("the engine was stopped after {:g} s: it takes longer than --timeout allows{}", seconds,
-                              last_words(log)));
+        throw DataError(fmt::format("the engine was stopped{}: {}{}",
+                                    Clock::now() >= end ? fmt::format(" after {:g} s", limits.seconds) : "", excess,
+                                    last_words(log)));
     }
     if (*status != 0) {
         constexpr int signals_from = 128;

@@ -15,7 +15,8 @@ namespace {
 std::string complaint(const std::string& command, double seconds = 60.0) {
     const TemporaryFolder folder;
     try {
-        run_engine(command, folder / "log", seconds, Interruption());
+        run_engine(command, folder / "log", {.seconds = seconds, .folder = folder / "", .written = 1 << 20},
+                   Interruption());
     } catch (const DataError& error) {
         return error.what();
     }
@@ -52,8 +53,21 @@ TEST_CASE("an engine that hangs is stopped with all that it has started") {
     CHECK_THAT(complaint("tail -f /dev/null & tail -f /dev/null", 0.2), Contains("stopped after 0.2 s"));
 }
 
+TEST_CASE("an engine that fills the disk is stopped, wherever within its folder it writes") {
+    const TemporaryFolder folder;
+    const std::string deeper = (folder / "a" / "b").string();
+    CHECK_THROWS_WITH(
+        run_engine("mkdir -p '" + deeper + "'; while :; do head -c 100000 /dev/zero >> '" + deeper + "/c'; done",
+                   folder / "log", {.seconds = 1e9, .folder = folder / "a", .written = 1 << 20}, Interruption()),
+        Contains("more than 0.00105 GB"));
+    // What lies elsewhere does not count, nor what a link leads to.
+    std::filesystem::create_directory_symlink("/usr", folder / "a" / "usr");
+    CHECK_NOTHROW(run_engine("head -c 3000000 /dev/zero > '" + (folder / "elsewhere").string() + "'", folder / "log",
+                             {.seconds = 1e9, .folder = folder / "a" / "b" / "d", .written = 1}, Interruption()));
+}
+
 TEST_CASE("a request to stop ends the engine, too") {
     const TemporaryFolder folder;
     const Interruption asked({}, [] { return std::optional(StopRequest{SIGTERM, "SIGTERM"}); });
-    CHECK_THROWS_AS(run_engine("tail -f /dev/null", folder / "log", 1e9, asked), Interrupted);
+    CHECK_THROWS_AS(run_engine("tail -f /dev/null", folder / "log", {.seconds = 1e9}, asked), Interrupted);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -17,13 +18,19 @@ namespace ljmd {
 [[nodiscard]] std::string engine_command(const std::string& command, const std::filesystem::path& input,
                                          const std::filesystem::path& output);
 
+/// What an engine may take.
+struct EngineLimits {
+    double seconds;                                     ///< wall time
+    std::filesystem::path folder = {};                  ///< that it writes to; empty: it writes nothing
+    std::uintmax_t written = std::uintmax_t{4} << 30U;  ///< bytes of the files there
+};
+
 /// Run it in the working directory, with an empty stdin; what it prints goes to the file `log`. It is stopped, with all
-/// processes that it has started, when the time is over, when it prints more than 64 MiB, and when ljmd is asked to
-/// stop.
-/// @param seconds  wall time
-/// @throws DataError  it ends with another exit status than 0, takes longer or prints more; with its last lines
+/// processes that it has started, when it goes beyond a limit, when it prints more than 64 MiB, and when ljmd is asked
+/// to stop.
+/// @throws DataError  it ends with another exit status than 0, or went beyond a limit; with its last lines
 /// @throws Interrupted
-void run_engine(const std::string& command, const std::filesystem::path& log, double seconds,
+void run_engine(const std::string& command, const std::filesystem::path& log, const EngineLimits& limits,
                 const Interruption& interruption);
 
 }  // namespace ljmd
