@@ -5,7 +5,9 @@ target_compile_options(ljmd_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
     # Floating point: contraction would make results depend on the compiler's mood; the two others change no result and
     # are what vectorisation needs. -ffast-math is never used.
-    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+    -ffp-contract=off -fno-math-errno -fno-trapping-math
+    # Names of sources in assertions say where a file lies in the project, not where the project lay when it was built.
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 # Before version 13 gcc warns of overlaps in std::string that cannot be (its bug 105651), and, where that comes from a
 # precompiled header, of its bounds.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
