@@ -14,7 +14,7 @@
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/run/run_lock.hpp"
-#include "ljmd/run/spec_deck.hpp"
+#include "ljmd/run/spec_plan.hpp"
 
 namespace ljmd {
 
