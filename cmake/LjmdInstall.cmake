@@ -72,7 +72,7 @@ if(LJMD_FILES)
         get_target_property(hdf5_library hdf5::hdf5 LOCATION)
         set(hdf5_module "")
     endif()
-    ljmd_pc_file(ljmd "${PROJECT_DESCRIPTION}" ljmd ljmd-engine "fmt tomlplusplus libxxhash zlib ${hdf5_module}"
+    ljmd_pc_file(ljmd "${PROJECT_DESCRIPTION}" ljmd ljmd-engine "fmt ${ljmd_toml_module} libxxhash zlib ${hdf5_module}"
                  "${hdf5_library} -l${CMAKE_DL_LIBS}")
 endif()
 
