@@ -8,7 +8,16 @@ pkg_check_modules(fftw3 REQUIRED IMPORTED_TARGET fftw3>=3.3)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 if(LJMD_FILES)
     find_package(nlohmann_json 3 REQUIRED)
-    pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+    # Installed by Meson (Debian, Homebrew) it has a file of pkg-config, by CMake (conda-forge, Spack) a package of CMake.
+    pkg_check_modules(tomlplusplus QUIET IMPORTED_TARGET tomlplusplus)
+    set(ljmd_toml_module tomlplusplus)
+    if(NOT TARGET PkgConfig::tomlplusplus)
+        unset(tomlplusplus_FOUND CACHE)  # of pkg-config; a package would count as not found
+        find_package(tomlplusplus 3 REQUIRED CONFIG)
+        add_library(PkgConfig::tomlplusplus INTERFACE IMPORTED)
+        target_link_libraries(PkgConfig::tomlplusplus INTERFACE tomlplusplus::tomlplusplus)
+        set(ljmd_toml_module "")
+    endif()
     # pkg-config first: FindHDF5 asks the compiler of HDF5, which is that of the machine, not that of the target.
     pkg_search_module(hdf5 QUIET IMPORTED_TARGET hdf5-serial>=1.10.7 hdf5>=1.10.7)
     if(hdf5_FOUND)

@@ -42,8 +42,8 @@ if(LJMD_PROGRAM)
     ljmd_install_python_sources()
 endif()
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# The notebook, measurements and trials, is for those who work on the code.
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "notebook" EXCLUDE)
+# The notebook, measurements and trials, is for those who work on the code; the paper is for a journal.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "notebook" EXCLUDE PATTERN "paper" EXCLUDE)
 
 install(EXPORT ljmd_engine NAMESPACE ljmd:: FILE ljmdEngineTargets.cmake DESTINATION ${ljmd_package_dir})
 configure_package_config_file(cmake/ljmdConfig.cmake.in ljmdConfig.cmake INSTALL_DESTINATION ${ljmd_package_dir})
@@ -72,7 +72,7 @@ if(LJMD_FILES)
         get_target_property(hdf5_library hdf5::hdf5 LOCATION)
         set(hdf5_module "")
     endif()
-    ljmd_pc_file(ljmd "${PROJECT_DESCRIPTION}" ljmd ljmd-engine "fmt tomlplusplus libxxhash zlib ${hdf5_module}"
+    ljmd_pc_file(ljmd "${PROJECT_DESCRIPTION}" ljmd ljmd-engine "fmt ${ljmd_toml_module} libxxhash zlib ${hdf5_module}"
                  "${hdf5_library} -l${CMAKE_DL_LIBS}")
 endif()
 

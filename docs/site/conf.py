@@ -14,7 +14,7 @@ author = "The ljmd developers"
 copyright = "the ljmd developers; licence GPL-3.0-or-later"
 root_doc = "index"
 language = "en"
-exclude_patterns = ["site/*.py", "**/__pycache__"]
+exclude_patterns = ["site/*.py", "**/__pycache__", "paper"]  # the paper is for a journal
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "folders", "furo_of_debian", "mathml", "notebook_pages", "python_docstrings",
               "repository_files"]

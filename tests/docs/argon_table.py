@@ -3,8 +3,8 @@
 
     argon_table.py --ljmd PROGRAM [--update]
 
-docs/argon.md has the whole table, README.md and docs/index.md some of its lines. --update writes them anew, where
-numbers are meant to change.
+docs/argon.md has the whole table, README.md, docs/index.md and docs/paper/paper.md some of its lines. --update writes them
+anew, where numbers are meant to change. tools/claims compares the same lines.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"(?<=```text\n).*?(?=```)", re.S)
-PAGES = ("docs/argon.md", "README.md", "docs/index.md")
+PAGES = ("docs/argon.md", "README.md", "docs/index.md", "docs/paper/paper.md")
 EXCERPT = re.compile(r"^  observable +mean \+- error +unit +n\*?\n(?:  \w+ .*\n)+$")
 
 

@@ -34,9 +34,9 @@ WITHOUT_TEST = {
 }
 
 TOP_LEVEL = {
-    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".git-blame-ignore-revs", ".gitignore", "CHANGELOG.md",
+    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".git-blame-ignore-revs", ".gitignore", ".zenodo.json", "CHANGELOG.md",
     "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "analysis", "cmake",
-    "docs", "include", "inputs", "pyproject.toml", "python", "src", "tests", "tools",
+    "codemeta.json", "docs", "include", "inputs", "packaging", "pyproject.toml", "python", "src", "tests", "tools",
 }
 
 # Where tests/CMakeLists.txt looks for cases with the tag [long]: elsewhere they would be in no set.
