@@ -58,6 +58,10 @@ file(RELATIVE_PATH ljmd_pc_includedir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FU
 string(REGEX REPLACE "/$" "" ljmd_pc_prefix ${ljmd_pc_prefix})
 # ljmd_pc_file(<name> <description> <library> <public modules> <private modules> <private libraries>)
 function(ljmd_pc_file name description library modules private_modules private_libraries)
+    if(BUILD_SHARED_LIBS)  # the library brings what it needs; pkg-config would ask for the headers of all of it
+        set(private_modules "")
+        set(private_libraries "")
+    endif()
     configure_file(cmake/ljmd.pc.in ${name}.pc @ONLY)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()

@@ -1,7 +1,7 @@
 class Ljmd < Formula
   desc "Molecular dynamics of the Lennard-Jones fluid, with error bars"
   homepage "https://TO-BE-GIVEN"
-  url "https://TO-BE-GIVEN/archive/refs/tags/v0.1.0.tar.gz"
+  url "https://TO-BE-GIVEN/archive/refs/tags/v1.0.0.tar.gz"
   sha256 "TO-BE-GIVEN"
   license "GPL-3.0-or-later"
 

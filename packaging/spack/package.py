@@ -16,14 +16,14 @@ class Ljmd(CMakePackage, PythonExtension):
     processor computes the same digits."""
 
     homepage = "https://TO-BE-GIVEN"
-    url = "https://TO-BE-GIVEN/archive/refs/tags/v0.1.0.tar.gz"
+    url = "https://TO-BE-GIVEN/archive/refs/tags/v1.0.0.tar.gz"
     git = "https://TO-BE-GIVEN.git"
 
     maintainers("TO-BE-GIVEN")
 
     license("GPL-3.0-or-later", checked_by="TO-BE-GIVEN")
 
-    version("0.1.0", sha256="TO-BE-GIVEN")
+    version("1.0.0", sha256="TO-BE-GIVEN")
 
     variant("python", default=False, description="Build the Python package")
     variant("openmm", default=False, description="Build the cross-check against OpenMM")

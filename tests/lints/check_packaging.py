@@ -56,7 +56,7 @@ WITHOUT = {
     CONDA: {"git": "a tarball has no commit"},
     SPACK: {"git": "a tarball has no commit", "ninja-build": "generator() brings it", "esbuild": "Spack does not have it"},
     BREW: {"git": "a tarball has no commit", "gcc": "Homebrew has a compiler of its own"},
-    CONTAINER: {"git": "COPY brings no commit", "librandom123-dev": "its one header is among the sources", "libopenmm-dev": "the program alone", "libopenmpi-dev": "the program alone",
+    CONTAINER: {"git": "COPY brings no commit", "libopenmm-dev": "the program alone", "libopenmpi-dev": "the program alone",
                 "python3-dev": "the program alone", "pybind11-dev": "the program alone", "python3-numpy": "the program alone",
                 "python3-h5py": "the program alone", "python3-matplotlib": "the program alone", "libopenmm-plugins": "the program alone"},
 }

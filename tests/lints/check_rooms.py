@@ -49,7 +49,7 @@ PHYSICS = {"model", "potentials", "domain", "neighbors", "forces", "integrators"
 ALLOWED["front"] = PHYSICS | {"core", "options", "execution", "deck", "run"}
 
 # Written by the build, not in the tree.
-GENERATED = {"ljmd/cli/example_deck_texts.hpp", "ljmd/execution/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
+GENERATED = {"ljmd/cli/example_deck_texts.hpp", "ljmd/report/page_arrays.hpp", "ljmd/execution/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
 
 # Headers of files, processes, signals and the terminal.
 OUTSIDE = re.compile(r"fstream|filesystem|iostream|cstdio|stdio\.h|csignal|signal\.h|fcntl\.h|unistd\.h|sys/.*|spawn\.h")
