@@ -60,7 +60,8 @@ def main() -> None:
         site = folder / "site"
         subprocess.run([sys.executable, "-m", "zipfile", "-e", wheel, site], check=True)
         (site / "ljmd" / "bin" / "ljmd").chmod(0o755)  # which an installer keeps, and zipfile does not
-        code = ("import sys, ljmd; run = ljmd.Deck.fluid(108, cutoff=2.0).run(20)\n"
+        code = ("import sys, ljmd; deck = ljmd.Deck.fluid(108, cutoff=2.0); deck.stages = [ljmd.Stage('short', 20)]\n"
+                "deck.run(progress=False)\n"
                 "sys.argv = ['ljmd', 'verify']\nfrom ljmd._command import main; main()")
         used = subprocess.run([sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(site)!r})\n{code}"], cwd=folder,
                               capture_output=True, text=True, check=False)
