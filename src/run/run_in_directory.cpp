@@ -79,7 +79,9 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
     }
     check_directory(plan, options.replace);
     // Made before any file is touched: if this fails, an earlier run must not be lost.
-    FluidSystem fluid = make_fluid(spec, execution, warn);
+    FluidSpec planned = fluid_spec(plan);
+    planned.external = spec.external;
+    FluidSystem fluid = make_fluid(planned, execution, warn);
     RunLock lock(plan, options.replace, warn);
     if (const auto* given = std::get_if<Configuration>(&spec.start)) {
         keep(*given, box_of(spec), plan.outputs() / given_start_name);

@@ -8,6 +8,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/deck/deck_sense.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/options/toml_writer.hpp"
 
@@ -64,8 +65,8 @@ FluidTables tables_of(const FluidSpec& spec, const RunFiles& files, Precision pr
     return tables;
 }
 
-/// The ranges of values that a specification alone does not know, and how they go together.
-void require_good(const Table& table, bool has_units) {
+/// The tables as a deck has them: in range, in its order, and with what it leaves out.
+Placed<FluidTables> checked(const Table& table, bool has_units) {
     const Location nowhere{std::make_shared<const Source>(Source{"(a FluidSpec)", ""})};
     Diagnostics diagnostics;
     const Placed<FluidTables> tables(validate(table, nowhere, deck_schema(DeckKind::fluid), std::nullopt, diagnostics));
@@ -73,6 +74,7 @@ void require_good(const Table& table, bool has_units) {
     if (diagnostics.has_errors()) {
         throw InputError(diagnostics.errors_without_places());
     }
+    return tables;
 }
 
 }  // namespace
@@ -82,17 +84,18 @@ RunPlan plan_of(const FluidSpec& spec, const RunFiles& files, Precision precisio
     if (const std::string why = not_for_decks(spec); !why.empty()) {
         throw InputError(why);
     }
-    RunPlan plan{{files}, "(a FluidSpec)", "", {}, spec, precision};
-    FluidSpec& planned = std::get<FluidSpec>(plan.spec);
-    planned.stages = resolved_stages(spec);
+    RunPlan plan{{files}, "(a FluidSpec)", "", {}, {}, precision};
+    FluidSpec said = spec;
     if (spec.potential.is_custom()) {
         plan.source = fmt::format(
             "# The pair potential is {}, a formula of a program in C++: that in [potential] stands in for it.\n",
             in_quotes(spec.potential.formula()));
-        planned.potential = PairPotential::lennard_jones(spec.potential.truncation(), spec.potential.cutoff());
+        said.potential = PairPotential::lennard_jones(spec.potential.truncation(), spec.potential.cutoff());
     }
-    const Table table = table_of(tables_of(planned, files, precision, start));
-    require_good(table, spec.units.has_value());
+    const Table table = table_of(tables_of(said, files, precision, start));
+    // What is run is what the deck says, so that a resumed run, which begins with the deck, goes on with the same.
+    FluidSpec& planned = plan.spec.emplace<FluidSpec>(spec_of(checked(table, spec.units.has_value()), spec.units));
+    planned.start = spec.start;
     plan.source += toml_document(table);
     return plan;
 }

@@ -32,6 +32,17 @@ TEST_CASE("the plan of a specification is the plan that its deck makes") {
     CHECK(plan.precision == Precision::mixed);
 }
 
+TEST_CASE("the deck of a stage at constant energy names no temperature, and the plan has none to hold") {
+    FluidSpec spec = small_spec();
+    spec.stages.push_back({.name = "kept", .steps = 10, .sample = true, .total_energy = -3.0});
+    const RunPlan plan = planned(spec);
+    CHECK(plan.source.find("temperature", plan.source.find("\"kept\"")) == std::string::npos);
+    Diagnostics diagnostics;
+    const auto deck = load_deck_text("deck", plan.source, {}, true, diagnostics);
+    REQUIRE(deck.has_value());
+    CHECK(deck->stages() == plan.stages());
+}
+
 TEST_CASE("Lennard-Jones stands in for a formula of the program, with a word about it") {
     FluidSpec spec = small_spec();
     spec.potential = PairPotential::custom("soft",

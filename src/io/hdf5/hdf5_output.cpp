@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <xxhash.h>
 
@@ -30,32 +31,53 @@ std::string padded(const std::vector<std::string>& texts, std::size_t length) {
     return block;
 }
 
-/// From now on HDF5 writes into memory what it writes to the file, which stays as it is. It closes the file when the
-/// program ends, and crashes if it cannot write then (seen with 1.10.8 and a full disk).
-void let_go(hid_t file) {
+/// While it lives, files may become as large as the system allows at most.
+class LargestFiles {
+  public:
+    LargestFiles() {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit most{before_.rlim_max, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &most);
+    }
+    ~LargestFiles() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    LargestFiles(const LargestFiles&) = delete;
+    LargestFiles& operator=(const LargestFiles&) = delete;
+
+    [[nodiscard]] bool are_unlimited() const { return before_.rlim_max == RLIM_INFINITY; }
+
+  private:
+    rlimit before_ = {};
+};
+
+/// From now on HDF5 writes into memory what it writes to the file, which stays as it is. @return whether that is so
+bool write_into_memory(hid_t file) {
     void* descriptor = nullptr;
     if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0) {
-        return;
+        return false;
     }
     const int memory = ::memfd_create("ljmd", MFD_CLOEXEC);
+    const bool done = memory >= 0 && ::dup2(memory, *static_cast<int*>(descriptor)) >= 0;
     if (memory >= 0) {
-        ::dup2(memory, *static_cast<int*>(descriptor));
         ::close(memory);
     }
+    return done;
 }
 
 }  // namespace
 
 void Hdf5Output::abandon() {
-    if (is_on_disk_ && file_) {
-        let_go(file_.get());
-    } else if (file_) {
+    // HDF5 crashes on closing a file that it cannot write (seen with 1.10.8 and a full disk). Into memory it can. A
+    // file that stays open is one more danger: HDF5 knows files by their inodes, and takes the next that gets the same
+    // one, or the same file when it is opened again, for the one that it has.
+    const LargestFiles largest;
+    const bool can_close = is_on_disk_ && file_ && write_into_memory(file_.get()) && largest.are_unlimited();
+    if (!is_on_disk_ && file_) {
         memory_.abandon();
     }
     for (Hdf5Handle& dataset : datasets_) {
-        dataset.abandon();
+        can_close ? static_cast<void>(dataset.close()) : dataset.abandon();
     }
-    file_.abandon();
+    can_close ? static_cast<void>(file_.close()) : file_.abandon();
 }
 
 void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
@@ -255,7 +277,8 @@ void Hdf5Output::open_file(const OutputPlace& place) {
     place.directory.require_at_its_path();  // HDF5 takes only paths
     file_ = Hdf5Handle(checked(H5Fopen(place.path().c_str(), H5F_ACC_RDWR, access.get()), doing), H5Fclose);
     if (!place.holds(descriptor())) {
-        fail(doing, "its directory was replaced meanwhile");
+        fail(doing,
+             "its directory was replaced meanwhile, or HDF5 still has open a file that it could not write before");
     }
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("a module offers a function, and what is none is told with the reason 
     const ProgramModule found("mathematics", "packages", library_of_the_system());
     CHECK(found.function<double(double, double)>("fmod")(5.0, 3.0) == 2.0);
     CHECK_THROWS_WITH(found.function<void()>("ljmd_nothing"), Contains("is not the part of ljmd for mathematics"));
-    const std::string source = __FILE__;
+    const std::string source = LJMD_INPUTS "/examples/first.toml";
     const ProgramModule damaged("mathematics", "packages", source);
     CHECK_THROWS_AS(damaged.function<void()>("fmod"), InputError);
     CHECK_THROWS_WITH(

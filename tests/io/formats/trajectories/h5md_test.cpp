@@ -397,6 +397,34 @@ TEST_CASE("a full disk is an error at any moment, and every frame before it can 
     CHECK(largest > 10);  // the limits did reach beyond the creation of the file
 }
 
+TEST_CASE("a file that a full disk has cut short is continued in the same process, when there is room again") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.h5md";
+    CommittedFrames committed;
+    {
+        const auto writer = make_trajectory_writer("h5md", sample(0), {.path = path});
+        writer->write(sample(0));
+        writer->write(sample(1));
+        committed = writer->commit();
+        const FileSizeLimit limit(static_cast<rlim_t>(committed.bytes));
+        CHECK_THROWS_AS(
+            [&] {
+                for (Index step = 2; step < 1000; ++step) {
+                    writer->write(sample(step));
+                }
+            }(),
+            FileError);
+    }
+    {
+        const auto writer = make_trajectory_writer("h5md", sample(0), {.path = path, .kept = committed});
+        writer->write(sample(2));
+        writer->close();
+    }
+    const Reader reader(path);
+    CHECK(reader.shape(group + "position/value")[0] == 3);
+    CHECK(reader.frame(group + "position/value", 2) == expected_positions(2));
+}
+
 TEST_CASE("HDF5 prints errors for others as before") {
     H5E_auto2_t before = nullptr;
     H5E_auto2_t after = nullptr;
