@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import itertools
 import math
 import numbers
@@ -94,8 +95,8 @@ def table(value, name: str) -> dict:
 
 
 def listed(value, name: str) -> list:
-    """The members of a list or of anything else that has some, but for texts and tables."""
-    if not isinstance(value, (str, bytes, Mapping)) and isinstance(value, Iterable):
+    """The members of a list or of anything else that has some, but for texts, tables and files."""
+    if not isinstance(value, (str, bytes, Mapping, io.IOBase)) and isinstance(value, Iterable):
         try:
             found = list(itertools.islice(value, _LISTED + 1))
         except (TypeError, NotImplementedError):  # an array of NumPy without dimensions, a view of memory with several

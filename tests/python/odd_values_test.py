@@ -2,6 +2,7 @@
 
 import enum
 import inspect
+import io
 import os
 import unittest
 import warnings
@@ -33,10 +34,12 @@ ENDLESS.append(ENDLESS)
 DEEP: list = []
 for _ in range(3000):
     DEEP = [DEEP]
+CLOSED = io.StringIO("1")
+CLOSED.close()
 ODD = (None, "text", "", b"x", [], {}, (), object(), float("nan"), float("inf"), -1, 10**400, 2**63, 1j, np.complex128(1 + 2j),
        np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0]), np.array([1.0, 2.0]), np.float32(2.5), np.bool_(True), True, ENDLESS, {"a": ENDLESS},
        "\0", "\ud800", ..., int, len, np.datetime64("2020"), [None], [[1]], {1: 2}, set(), range(3), slice(1), np.array("x"), memoryview(b"abc"),
-       np.timedelta64(3, "s"), memoryview(np.zeros((2, 2), np.float16)), 10**5000, DEEP, Unshown(), OddKind(), range(10**15), "--help", "x" * 10**5, np.ma.array([(1, 2)], [("a", int), ("b", int)], mask=True))
+       np.timedelta64(3, "s"), memoryview(np.zeros((2, 2), np.float16)), 10**5000, DEEP, Unshown(), OddKind(), range(10**15), "--help", "x" * 10**5, CLOSED, io.StringIO("1"), np.ma.array([(1, 2)], [("a", int), ("b", int)], mask=True))
 # What a function of the user's raises, or a type that is called as one, is none of ours.
 CALLABLE = ("observables", "external", "progress", "function")
 
