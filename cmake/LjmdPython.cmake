@@ -39,7 +39,10 @@ endif()
 # Python with the address sanitizer's library preloaded starts the program, which must not bring a second one: clang links
 # it statically unless told otherwise. (tests/python preloads it.)
 if(ljmd_build_python AND CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
-    add_link_options(-shared-libasan)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so
+                    OUTPUT_VARIABLE ljmd_asan OUTPUT_STRIP_TRAILING_WHITESPACE)
+    cmake_path(GET ljmd_asan PARENT_PATH ljmd_asan_folder)
+    add_link_options(-shared-libasan LINKER:-rpath,${ljmd_asan_folder})
 endif()
 
 # ljmd_for_extension(<target>...): their objects can be part of a shared library. They export nothing and nobody
