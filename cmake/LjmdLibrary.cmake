@@ -107,7 +107,8 @@ add_custom_command(OUTPUT ${ljmd_page_arrays}
     DEPENDS ${ljmd_page}/index.html ${ljmd_page}/report.css ${ljmd_page_script}
             ${PROJECT_SOURCE_DIR}/cmake/WritePageArrays.cmake
     VERBATIM)
-target_sources(ljmd_program PRIVATE ${ljmd_page_arrays})
+add_custom_target(ljmd_page_arrays DEPENDS ${ljmd_page_arrays})
+add_dependencies(ljmd_program ljmd_page_arrays)
 
 # `ljmd plot` finds its scripts by the place of the program: after installation below this folder, before it by a link.
 file(RELATIVE_PATH ljmd_data_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ljmd)
