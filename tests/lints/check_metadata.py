@@ -99,10 +99,7 @@ def self_test():
     version = sound["cmake/VERSION"].strip()
     sound["CHANGELOG.md"] = f"# Changelog\n\n## [{version}] - 2026-12-24\n\n## [0.0.1]\n"
 
-    def broken(name, old, new, expected):
-        assert old in sound[name], f"{name} has no {old!r}"
-        return name, sound[name].replace(old, new, 1), expected
-
+    broken = lint.broken_in(sound)
     unreleased = lint.complaints_about(check, {**sound, "CHANGELOG.md": "## [Unreleased]\n\n## [0.0.1]\n"})
     return lint.self_test(check, sound, [
         broken(CITATION, f"version: {version}", "version: 99.0", "CITATION.cff: version 99.0"),
@@ -119,7 +116,7 @@ def self_test():
         broken(CITATION, "# orcid: https://orcid.org/TO-BE-GIVEN", "orcid: https://orcid.org/0000-0000-0000-0000", "write TO-BE-GIVEN"),
         broken(CODEMETA, '"version"', "version", "cannot be read"),
         broken("CHANGELOG.md", f"[{version}]", "[99.0]", "newest version is 99.0"),
-        broken("CHANGELOG.md", "## ", "", "newest version is 0.0.1"),
+        broken("CHANGELOG.md", "## ", "", "newest version is 0.0.1", most=1),
         broken("pyproject.toml", "GPL-3.0-or-later", "MIT", "pyproject.toml") if sound["pyproject.toml"].count("GPL-3.0-or-later") == 1
         else ("pyproject.toml", "[project]\n", "pyproject.toml"),
         broken("LICENSE", "Version 3", "Version 2", "LICENSE"),

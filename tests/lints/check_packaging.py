@@ -266,10 +266,7 @@ def self_test():
     sound.update({f"{name}/x": "" for name in ("include", "src", "inputs", "analysis")})
     sound["src/report/web/dist/THIRD-PARTY-LICENSES"] = ""
 
-    def broken(name, old, new, expected):
-        assert old in sound[name], f"{name} has no {old!r}"
-        return name, sound[name].replace(old, new), expected
-
+    broken = lint.broken_in(sound)
     version = sound["cmake/VERSION"].strip()
     return lint.self_test(check, sound, [
         broken(CONDA, "        - xxhash\n", "", "no xxhash"),

@@ -42,6 +42,14 @@ def self_test(check, sound, violations, more_failures=()):
     return 1 if failures else 0
 
 
+def broken_in(sound):
+    """@return broken(file, old, new, expected): a violation for self_test(), the sound text with each `old` replaced, or the first `most`"""
+    def broken(name, old, new, expected, most=-1):
+        assert old in sound[name], f"{name} has no {old!r}"
+        return name, sound[name].replace(old, new, most), expected
+    return broken
+
+
 def report(complaints):
     """Print what was found. @return the exit code"""
     print("\n".join(complaints) or "no violation")
