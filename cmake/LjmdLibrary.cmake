@@ -55,6 +55,11 @@ function(ljmd_part target kind)
 endfunction()
 
 ljmd_sources_of(ljmd_engine_sources ${ljmd_engine_rooms})
+# A page has its own transforms, and so has their test: an object by itself can be left out.
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/observables/fourier.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+if(EMSCRIPTEN)
+    list(TRANSFORM ljmd_engine_sources REPLACE /observables/fourier.cpp$ /page/fourier.cpp)
+endif()
 ljmd_part(ljmd_engine "" ${ljmd_engine_sources} ${ljmd_engine_registries} ${ljmd_simd_objects})
 add_library(ljmd::engine ALIAS ljmd_engine)
 set_target_properties(ljmd_engine PROPERTIES EXPORT_NAME engine)

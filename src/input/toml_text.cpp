@@ -115,9 +115,11 @@ Mistake in_own_words(std::string_view description, bool at_line_end) {
     std::string reason(description.substr(std::min(colon + 2, description.size())));
     const std::string token = between_quotes(reason);
 
-    if (reason.ends_with("is not representable in 64 bits"))
+    // toml++ has one sentence or the other for a number like 1e400, as the standard library can read numbers or not.
+    const bool is_integer = scope.ends_with("integer");
+    if (is_integer && reason.ends_with("is not representable in 64 bits"))
         return {"'" + token + "' does not fit in 64 bits", "", token};
-    if (reason.ends_with("could not be interpreted as a value"))
+    if (reason.ends_with("could not be interpreted as a value") || reason.ends_with("is not representable in 64 bits"))
         return {"'" + token + "' is too large for a number", "", token};
     if (reason.starts_with("cannot redefine existing") && !token.empty() && reason.ends_with("'")) {
         return {(scope == "table header" ? "table '" : "key '") + token + "' is given twice", "", token};

@@ -126,7 +126,7 @@ void State::migrate(const std::vector<int>& destinations) {
         messages.assign(size, {});
         for (std::size_t to = 0; to < size; ++to) {
             numbers.clear();
-            for (Index k = first; k < std::min(first + piece, std::ssize(leaving[to])); ++k) {
+            for (Index k = first; k < std::min<Index>(first + piece, std::ssize(leaving[to])); ++k) {
                 pack(leaving[to][static_cast<std::size_t>(k)], numbers);
             }
             messages[to] = message_of(numbers);

@@ -1,13 +1,12 @@
 #include "ljmd/observables/fourier.hpp"
 
 #include <fftw3.h>
-#include <fmt/format.h>
 
-#include <limits>
 #include <mutex>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/memory_at_hand.hpp"
+#include "fourier_lengths.hpp"
 
 namespace ljmd {
 
@@ -60,20 +59,6 @@ detail::OwnedFourierPlan planned(Planner planner, Arguments... arguments) {
     return detail::OwnedFourierPlan(new detail::FourierPlan{plan});
 }
 
-int even_length(Index n) {
-    if (n < 2 || n % 2 != 0 || n > std::numeric_limits<int>::max()) {
-        throw ContractViolation(fmt::format("a transform of real numbers needs an even length, not {}", n));
-    }
-    return static_cast<int>(n);
-}
-
-int at_least(Index least, Index n) {
-    if (n < least || n > std::numeric_limits<int>::max()) {
-        throw ContractViolation(fmt::format("a transform needs a length of at least {}, not {}", least, n));
-    }
-    return static_cast<int>(n);
-}
-
 detail::OwnedFourierPlan real_to_real(int n, fftw_r2r_kind kind) {
     AlignedVector<double> in(static_cast<std::size_t>(n));
     AlignedVector<double> out(static_cast<std::size_t>(n));
@@ -81,25 +66,6 @@ detail::OwnedFourierPlan real_to_real(int n, fftw_r2r_kind kind) {
 }
 
 }  // namespace
-
-Index fast_length(Index n) {
-    if (n < 1) {
-        throw ContractViolation(fmt::format("a transform needs a length of at least 1, not {}", n));
-    }
-    const auto is_fast = [](Index length) {
-        for (const Index prime : {2, 3, 5, 7}) {
-            while (length % prime == 0) {
-                length /= prime;
-            }
-        }
-        return length == 1;
-    };
-    Index length = n + n % 2;
-    while (!is_fast(length)) {
-        length += 2;
-    }
-    return length;
-}
 
 RealTransform::RealTransform(Index n, Index batch) : length_(n) {
     const int length = even_length(n);

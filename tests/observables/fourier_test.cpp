@@ -36,18 +36,6 @@ Complex at(const AlignedVector<Complex>& values, Index k) {
 
 }  // namespace
 
-TEST_CASE("fast lengths are even, have small factors, and none in between was passed over") {
-    CHECK(fast_length(1) == 2);
-    CHECK(fast_length(2) == 2);
-    CHECK(fast_length(11) == 12);
-    CHECK(fast_length(12) == 12);
-    CHECK(fast_length(22) == 24);
-    CHECK(fast_length(97) == 98);
-    CHECK(fast_length(99) == 100);
-    CHECK(fast_length(102) == 108);
-    CHECK_THROWS_AS(fast_length(0), ContractViolation);
-}
-
 TEST_CASE("transforms of several real series are the sums that define them") {
     const Index n = GENERATE(2, 6, 14, 16);
     constexpr Index batch = 5;

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <zlib.h>
-
 #include <istream>
+#include <memory>
 #include <streambuf>
 #include <string>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
+
+struct z_stream_s;  // of zlib
 
 namespace ljmd {
 
@@ -45,7 +46,7 @@ class GzipInput : public std::streambuf {
 
     std::istream& packed_;
     Index limit_;
-    z_stream stream_{};
+    std::unique_ptr<z_stream_s> stream_;
     std::vector<char> in_;
     std::vector<char> out_;
     Index unpacked_ = 0;
