@@ -15760,7 +15760,10 @@ ${extraStyle}`
       element("figcaption", {}, caption)
     );
     node.querySelector("button").setAttribute("aria-label", `Save "${title}" as SVG`);
-    return { node, id: chart.id, title, svg };
+    const redraw = () => {
+      if (width > 0) draw();
+    };
+    return { node, id: chart.id, title, svg, redraw };
   }
 
   // source/viewer/camera.js
@@ -36144,6 +36147,16 @@ void main() {
       this.playback.onTime(() => this.redraw());
       document.addEventListener("themechange", () => this.redraw());
       new ResizeObserver(() => this.redraw()).observe(this.stage);
+    }
+    /** Shows the last frame of tracks that have grown. */
+    follow(positions) {
+      this.positions = positions;
+      this.frames = Math.floor(positions.length / (3 * this.count));
+      this.playback.frame = this.frames - 1;
+      const { middle, radius: radius2 } = extent3(positions);
+      this.middle = middle;
+      this.camera.radius = radius2;
+      this.redraw();
     }
     redraw() {
       if (this.wanted) return;

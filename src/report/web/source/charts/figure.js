@@ -16,7 +16,8 @@ const SVG = "http://www.w3.org/2000/svg";
  * @param {Map<string, object>} tables
  * @param {{time: number, onTime: Function, seek: Function}|null} playback what a chart with `cursor` follows
  * @param {number} level of the heading
- * @returns {{node: HTMLElement, id: string, title: string, svg: () => string}}
+ * @returns {{node: HTMLElement, id: string, title: string, svg: () => string, redraw: () => void}} `redraw` after the
+ *     tables have changed
  */
 export function chartFigure(chart, tables, playback, level) {
     const place = element("div", { class: "drawing" });
@@ -92,5 +93,8 @@ export function chartFigure(chart, tables, playback, level) {
             saveButton("SVG", fileName(chart.id, ".svg"), svg, "image/svg+xml")),
         place, below, element("figcaption", {}, caption));
     node.querySelector("button").setAttribute("aria-label", `Save "${title}" as SVG`);
-    return { node, id: chart.id, title, svg };
+    const redraw = () => {
+        if (width > 0) draw();
+    };
+    return { node, id: chart.id, title, svg, redraw };
 }

@@ -51,6 +51,17 @@ export class TrackViewer {
         new ResizeObserver(() => this.redraw()).observe(this.stage);
     }
 
+    /** Shows the last frame of tracks that have grown. */
+    follow(positions) {
+        this.positions = positions;
+        this.frames = Math.floor(positions.length / (3 * this.count));
+        this.playback.frame = this.frames - 1;
+        const { middle, radius } = extent(positions);
+        this.middle = middle;
+        this.camera.radius = radius;
+        this.redraw();
+    }
+
     redraw() {
         if (this.wanted) return;
         this.wanted = true;
