@@ -25,7 +25,7 @@ import lint
 
 # From the ground up. A room may include every room that stands before it, but for those that it is kept from.
 ROOMS = ["core", "options", "execution", "model", "reference", "potentials", "domain", "neighbors", "forces", "integrators",
-         "observables", "engine", "io", "input", "deck", "run", "analyze", "compare", "study", "report", "python", "cli"]
+         "observables", "engine", "io", "input", "deck", "run", "analyze", "compare", "study", "report", "python", "cli", "page"]
 KEPT_FROM = {
     "reference": {"execution", "model"},
     "potentials": {"execution", "reference"},
@@ -38,6 +38,7 @@ KEPT_FROM = {
     "input": {"reference", "domain", "engine"},
     "python": {"compare", "study"},
     "cli": {"python"},
+    "page": {"compare", "study", "report", "python", "cli"},
 }
 ALLOWED = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
 

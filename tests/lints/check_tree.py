@@ -29,6 +29,9 @@ WITHOUT_TEST = {
     "src/execution/mpi/*.cpp": "takes several processes: tests/mpi runs the program in them",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/python/*.cpp": "the binding: tests/python tries it through the package",
+    "src/page/absent_formats.cpp": "stands for what a page lacks: tests/page/engine_test.py opens decks that name it",
+    "src/page/exports.cpp": "the door to the page's script: tests/page/engine_test.py calls it",
+    "src/page/page_run.cpp": "tests/page/engine_test.py runs all decks with it",
     "src/io/formats/readable/*.cpp": "plug-ins: tests/io/formats/readable_format_test.cpp tries each",
     "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
 }

@@ -59,7 +59,7 @@ def fluid(integrator="velocity-verlet", thermostat="", barostat="", potential="l
 
 
 def made_decks(plugins: dict) -> dict:
-    """One for each plug-in of the engine. @param plugins  names by their kind, of `ljmd info`"""
+    """One for each plug-in of the engine. @param plugins  see plugins_in()"""
     made = {f"truncation {name}": fluid(truncation=name) for name in plugins["truncations"]}
     made |= {f"morse {name}": fluid(potential="morse", truncation=name) for name in ("cut", "switched")}
     made |= {f"search {name}": fluid(method=name) for name in ("cells", "all-pairs")}
@@ -95,6 +95,11 @@ class Case:
         return found.hexdigest()[:16]
 
 
+def plugins_in(info: str) -> dict:
+    """Names by their kind, from what `ljmd info` prints."""
+    return {kind: names.strip().split(", ") for kind, _, names in (line.partition(" ") for line in info.splitlines())}
+
+
 def cases(program: str, plugins: dict, folder: pathlib.Path):
     start = next(deck for deck in decks.decks() if deck.stem == "canonical")
     begun = folder / "start"
@@ -122,7 +127,7 @@ def main() -> int:
     arguments = parser.parse_args()
     arguments.ljmd = os.path.abspath(arguments.ljmd)
     usable = subprocess.run([arguments.ljmd, "info"], capture_output=True, text=True, check=True).stdout
-    plugins = {kind: names.strip().split(", ") for kind, _, names in (line.partition(" ") for line in usable.splitlines())}
+    plugins = plugins_in(usable)
     levels = [level.strip() for level in usable.split("usable here:")[1].split(")")[0].split(",") if WITH_OTHER_DIGITS not in level]
     fused = [level for level in levels if level not in WITHOUT_FUSED_PRODUCTS]
     if not arguments.all:

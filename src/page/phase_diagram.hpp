@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ljmd/core/data.hpp"
+
+namespace ljmd {
+
+/// The lines of the phase diagram of the Lennard-Jones fluid, by temperature: binodal and spinodals by Thol's equation
+/// of state, freezing and melting, as tables of the page. Its critical and triple point.
+[[nodiscard]] Data phase_diagram();
+
+/// Pressure and energy of the fluid by Thol's equation.
+[[nodiscard]] Data equation_at(double temperature, double density);
+
+/// The same, with the phase of the state, and the lines around it in words. Takes a thousand times as long.
+[[nodiscard]] Data state_of_fluid(double temperature, double density);
+
+}  // namespace ljmd

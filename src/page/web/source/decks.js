@@ -1,0 +1,118 @@
+// Decks, made from what the controls say. They are what `ljmd run` takes; the page has no other way to say what is run.
+import { word } from "./words.js";
+
+export const LIMITS = {
+    temperature: { min: 0.3, max: 5, step: 0.01 },
+    density: { min: 0.02, max: 1.15, step: 0.002 },
+    timeStep: { min: 0.001, max: 0.03, step: 0.001 },
+    cutoff: { min: 1.2, max: 4, step: 0.1 },
+};
+export const SIZES = [3, 4, 5, 6, 8, 10];   // cells of the crystal along an edge; four atoms each
+
+export const START = {
+    scene: "liquid", temperature: 0.85, density: 0.8442, timeStep: 0.004, cutoff: 2.5, cells: 6, held: true,
+    equilibration: 1000, film: false, seed: 1967,
+};
+
+const number = (value) => (Number.isInteger(value) ? `${value}.0` : String(Number(value.toPrecision(12))));
+
+/** The largest cutoff that the box of a crystal has room for. */
+export function largestCutoff({ cells, density, film }) {
+    const edge = cells * Math.cbrt(4 / (film ? 0.79 : density));
+    return Math.floor(10 * (edge / 2)) / 10;
+}
+
+function start(controls, kept) {
+    if (kept) {
+        const density = controls.density === null ? "" : `density = ${number(controls.density)}\n`;
+        return `file = "start.xyz"                  # the atoms as they were, with their velocities\n${density}`;
+    }
+    if (controls.film) {
+        // A slab of liquid in a box four times as high as wide.
+        return `lattice = { type = "fcc", cells = ${controls.cells}, layers = ${controls.cells + 3}, height = ${number(Math.round(4 * controls.cells * Math.cbrt(4 / 0.79)))} }
+density = 0.79
+`;
+    }
+    return `lattice = { type = "fcc", cells = ${controls.cells} }   # ${4 * controls.cells ** 3} atoms
+density = ${number(controls.density)}
+`;
+}
+
+/**
+ * The deck of a fluid.
+ * @param {object} controls see {@link START}
+ * @param {boolean} kept whether it starts from start.xyz
+ */
+export function fluidDeck(controls, kept) {
+    const cutoff = number(Math.min(controls.cutoff, largestCutoff(controls)));
+    const thermostat = controls.held ? 'thermostat = { type = "stochastic-rescaling", time = 0.5 }   # canonical' : "# constant energy";
+    const equilibration = controls.equilibration > 0 ? `[[stage]]
+name = "equilibration"
+time_step = ${number(controls.timeStep)}
+steps = ${controls.equilibration}
+temperature = ${number(controls.temperature)}
+thermostat = { type = "langevin", time = 0.5 }
+
+` : "";
+    return `title = "${word("deck title", { atoms: controls.atoms ?? 4 * controls.cells ** 3, temperature: number(controls.temperature) })}"
+
+[system]
+${start(controls, kept)}temperature = ${number(controls.temperature)}
+seed = ${controls.seed}
+
+[potential]
+type = "lennard-jones"
+cutoff = ${cutoff}
+${controls.film ? 'truncation = "shifted"' : 'truncation = "cut"\ntail = true                             # what is cut off is corrected for'}
+
+${equilibration}[[stage]]
+name = "production"
+time_step = ${number(controls.timeStep)}
+steps = ${controls.production ?? 1000000}
+${controls.held ? `temperature = ${number(controls.temperature)}\n` : ""}${thermostat}
+sample = true
+
+[output]
+directory = "runs/from-the-page"
+thermo = { every = 10 }
+
+[analysis]
+${controls.film ? "film = { layers = 120, every = 20 }" : `rdf = { bins = 120, every = 40 }
+structure_factor = { every = 200 }
+msd = { every = 10, max_time = 4.0, origins = 20 }`}
+`;
+}
+
+/** There and back: the reversible integrator, so many steps forward and as many back. */
+export function reversalDeck(controls, kept, steps) {
+    return `title = "${word("reversal title", { steps })}"
+
+[system]
+${start(controls, kept)}temperature = ${number(controls.temperature)}
+seed = ${controls.seed}
+
+[potential]
+type = "lennard-jones"
+cutoff = ${number(Math.min(controls.cutoff, largestCutoff(controls)))}
+truncation = "cut"
+tail = false
+
+[[stage]]
+name = "there"
+integrator = "bit-reversible"
+time_step = ${number(controls.timeStep)}
+steps = ${steps}
+sample = true
+
+[[stage]]
+name = "back"
+integrator = "bit-reversible"
+time_step = ${number(controls.timeStep)}
+steps = ${steps}
+reverse = true
+
+[output]
+directory = "runs/there-and-back"
+thermo = { every = 5 }
+`;
+}
