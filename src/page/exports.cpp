@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/build_info.hpp"
@@ -44,10 +45,11 @@ Data opened(const Data& request) {
             write_file_atomically(OutputPlace(std::filesystem::path("/" + file.key)), file.value.text());
         }
     }
-    run.reset();  // its memory first
     const Data* flip = request.find("flip");
-    run = std::make_unique<PageRun>(request["name"].text(), request["deck"].text(), texts(request["settings"]),
-                                    request["force"].flag(), flip != nullptr ? flip->number() : -1.0);
+    // A deck that cannot be run leaves the run before it where it is.
+    auto next = std::make_unique<PageRun>(request["name"].text(), request["deck"].text(), texts(request["settings"]),
+                                          request["force"].flag(), flip != nullptr ? flip->number() : -1.0);
+    run = std::move(next);
     return run->description();
 }
 

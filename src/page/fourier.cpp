@@ -50,7 +50,10 @@ void DestroyFourierPlan::operator()(FourierPlan* plan) const {
 namespace {
 
 detail::OwnedFourierPlan plan_for(std::array<Index, 3> lengths, Index batch = 1) {
-    return detail::OwnedFourierPlan(new detail::FourierPlan{lengths, batch, {}});
+    detail::OwnedFourierPlan plan(new detail::FourierPlan);
+    plan->lengths = lengths;
+    plan->batch = batch;
+    return plan;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <filesystem>
 #include <numbers>
 #include <utility>
@@ -92,6 +93,24 @@ Data tables_data(const std::vector<DataTable>& tables) {
         all.push_back(table_data(table));
     }
     return all;
+}
+
+/// Along the edges of a box that are much longer than others: by which part of the edge atoms have to be moved so that
+/// their middle, the direction of the mean of exp(2 pi i x/L), is the middle of the box. A film is then seen whole.
+Vec3 middle_of_long_box(const State& atoms) {
+    const Vec3 edges = atoms.box().edges();
+    Vec3 shift = Vec3::Zero();
+    for (Index axis = 0; axis < 3; ++axis) {
+        if (edges[axis] < 1.5 * edges.minCoeff()) {
+            continue;
+        }
+        std::complex<double> sum = 0.0;
+        for (Index i = 0; i < atoms.count(); ++i) {
+            sum += std::polar(1.0, 2.0 * std::numbers::pi * atoms.positions()(axis, i) / edges[axis]);
+        }
+        shift[axis] = 0.5 - std::arg(sum) / (2.0 * std::numbers::pi);
+    }
+    return shift;
 }
 
 Data stages_data(const std::vector<Stage>& stages) {
@@ -261,10 +280,11 @@ void PageRun::draw() {
     const auto v = atoms.velocities();
     const double fastest = 3.0 * std::sqrt(std::max(ljmd::temperature(atoms).value_or(1.0), 1e-12));
     const Vec3 edges = atoms.box().edges();
+    const Vec3 shift = middle_of_long_box(atoms);
     for (Index i = 0; i < atoms.count(); ++i) {
         const auto atom = static_cast<std::size_t>(atoms.ids()[static_cast<std::size_t>(i)]);
         for (Index axis = 0; axis < 3; ++axis) {
-            const double at = atoms.positions()(axis, i) / edges[axis];
+            const double at = atoms.positions()(axis, i) / edges[axis] + shift[axis];
             positions_[3 * atom + static_cast<std::size_t>(axis)] =
                 static_cast<std::uint16_t>(std::clamp((at - std::floor(at)) * 65536.0, 0.0, 65535.0));
         }

@@ -43,7 +43,7 @@ export async function until(page, holds) {
  * Opens a page and notes what must not happen on it: messages on the console, requests, errors.
  * @returns {Promise<{page: object, complaints: string[]}>}
  */
-export async function open(browser, file, { width = 1280, height = 900, dark = false, before } = {}) {
+export async function open(browser, file, { width = 1280, height = 900, dark = false, hash = "", before } = {}) {
     const page = await browser.newPage({ viewport: { width, height }, colorScheme: dark ? "dark" : "light", acceptDownloads: true });
     const complaints = [];
     page.on("console", (message) => {
@@ -53,10 +53,10 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     });
     page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
     page.on("request", (request) => {
-        if (request.url() !== pathToFileURL(file).href && !/^(blob|data):/.test(request.url())) complaints.push(`request: ${request.url().slice(0, 100)}`);
+        if (request.url().replace(/#.*/, "") !== pathToFileURL(file).href && !/^(blob|data):/.test(request.url())) complaints.push(`request: ${request.url().slice(0, 100)}`);
     });
     if (before) await page.addInitScript(before);
-    await page.goto(pathToFileURL(file).href);
+    await page.goto(pathToFileURL(file).href + hash);
     await page.waitForSelector("html[data-ready]", { timeout: PATIENCE });
     await until(page, () => [...document.querySelectorAll("main > section .drawing")].every((place) => place.offsetWidth === 0 || place.querySelector("svg")));
     return { page, complaints };

@@ -8,7 +8,7 @@ function slider(name, key, unit) {
     const id = uniqueId(key);
     const input = element("input", { id, type: "range", ...LIMITS[key] });
     const output = element("output", { for: id });
-    const row = element("div", { class: "slider" }, element("label", { for: id }, word(name)), output, input);
+    const row = element("div", { class: `slider of-${key}` }, element("label", { for: id }, word(name)), output, input);
     return { row, input, show: (value = Number(input.value)) => {
         output.textContent = `${number(value, 4)}${unit ? ` ${unit}` : ""}`;
         input.setAttribute("aria-valuetext", output.textContent);
@@ -33,7 +33,7 @@ export class Controls {
         this.words = element("p", { class: "state-of-fluid", role: "status" });
         this.node = element("section", { class: "card", "aria-labelledby": "controls" }, element("h2", { id: "controls" }, word("controls")),
             this.sliders.temperature.row, this.sliders.density.row, this.words, this.sliders.timeStep.row, this.sliders.cutoff.row,
-            element("div", { class: "slider" }, element("label", { for: this.size.id }, word("size")), this.size),
+            element("div", { class: "slider of-size" }, element("label", { for: this.size.id }, word("size")), this.size),
             element("label", { class: "check" }, this.held, ` ${word("hold")}`));
     }
 

@@ -75,7 +75,12 @@ sample = true
 [output]
 directory = "runs/from-the-page"
 thermo = { every = 10 }
+${analyses(controls)}`;
+}
 
+function analyses(controls) {
+    if (controls.measured === false) return "";
+    return `
 [analysis]
 ${controls.film ? "film = { layers = 120, every = 20 }" : `rdf = { bins = 120, every = 40 }
 structure_factor = { every = 200 }

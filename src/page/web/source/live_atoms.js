@@ -26,7 +26,9 @@ export class LiveAtoms {
         this.box = box;
         this.positions = new Uint16Array(3 * count);
         this.speeds = new Uint8Array(count);
-        this.camera = new Camera(0.46 * Math.hypot(...box) + RADIUS);
+        // A long box lies across the picture.
+        const isLong = Math.max(...box) > 1.5 * Math.min(...box);
+        this.camera = new Camera(0.46 * Math.hypot(...box) + RADIUS, isLong ? { azimuth: 1.25, elevation: 0.2 } : undefined);
         this.canvas = element("canvas", {});
         this.stage = element("div", { class: "stage", tabindex: 0, role: "application", "aria-roledescription": "three-dimensional view", "aria-label": word("atoms label") }, this.canvas);
         this.node = element("div", {}, element("div", { class: "stage-frame" }, this.stage), ramp(0, FASTEST, pretty(word("speed legend"))));

@@ -1,20 +1,26 @@
 // The table of averages: mean and error from the run, what the equation of state has, and the state in words.
 import { element } from "../../../report/web/source/dom.js";
-import { number, pretty, withError } from "../../../report/web/source/format.js";
+import { number, pretty, withError, withSubscripts } from "../../../report/web/source/format.js";
 import { word } from "./words.js";
 
-const SHOWN = [["T", "temperature", "temperature"], ["U", "potential_energy", "potential_energy"], ["p", "pressure", "pressure"]];
+// Symbol, observable, and what the equation of state calls it.
+const SHOWN = [["T", "temperature"], ["U", "potential_energy", "potential_energy"], ["p", "pressure", "pressure"], ["n_c", "coordination_number"], ["D", "diffusion"],
+    ["γ", "surface_tension"], ["ρ_l", "liquid_density"], ["ρ_v", "vapour_density"]];
+const ALWAYS = 3;
 
 export class Numbers {
     constructor() {
-        this.cells = new Map(SHOWN.map(([symbol]) => [symbol, { mean: element("td"), equation: element("td") }]));
+        this.rows = SHOWN.map(([symbol], place) => {
+            const cells = { mean: element("td"), equation: element("td") };
+            const row = element("tr", { hidden: place >= ALWAYS }, element("th", { scope: "row" }, element("i", {}, withSubscripts(symbol)), element("span", { class: "unit" }, ` ${word(symbol)}`)), cells.mean, cells.equation);
+            return { row, ...cells };
+        });
         this.samples = element("p", { class: "caption" });
         this.node = element("section", { class: "card", "aria-labelledby": "numbers" },
             element("h2", { id: "numbers" }, word("numbers")),
             element("table", { class: "numbers" },
                 element("thead", {}, element("tr", {}, [word("quantity"), word("mean"), word("equation")].map((text) => element("th", { scope: "col" }, text)))),
-                element("tbody", {}, SHOWN.map(([symbol]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, symbol), element("span", { class: "unit" }, ` ${word(symbol)}`)),
-                    this.cells.get(symbol).mean, this.cells.get(symbol).equation)))),
+                element("tbody", {}, this.rows.map(({ row }) => row))),
             this.samples);
     }
 
@@ -26,15 +32,16 @@ export class Numbers {
     update(results, state, controls) {
         const observables = results?.observables ?? {};
         let samples = null;
-        for (const [symbol, name, ofEquation] of SHOWN) {
+        for (const [place, [symbol, name, ofEquation]] of SHOWN.entries()) {
             const found = observables[name];
-            const { mean, equation } = this.cells.get(symbol);
+            const { row, mean, equation } = this.rows[place];
+            row.hidden = place >= ALWAYS && !found;
             const known = found && found.mean !== null && found.mean !== undefined;
             mean.textContent = known ? withError(found.mean, found.standard_error) : word("unknown yet");
             mean.classList.toggle("unsure", Boolean(known && found.error_is_converged === false));
             const value = state?.[ofEquation];
             if (symbol === "T") equation.textContent = controls.held ? word("set", { value: number(controls.temperature, 4) }) : "";
-            else equation.textContent = Number.isFinite(value) ? pretty(number(value, 4)) : word("unknown yet");
+            else if (place < ALWAYS) equation.textContent = Number.isFinite(value) ? pretty(number(value, 4)) : word("unknown yet");
             if (known && symbol !== "T") samples = Math.min(samples ?? Infinity, found.independent_samples ?? Infinity);
         }
         this.samples.textContent = samples === null ? word("not sampled")

@@ -86,6 +86,7 @@ export class Page {
         this.texts.show(deck, start, force, run.warnings);
         this.flipped = flip;
         const fluid = run.kind === "fluid";
+        this.transport.suit(run.kind);
         this.known = {
             ...this.known, rows: [], tables: [], results: null, speeds: null, fluid, controls: this.controls, kept: start !== null,
             place: Object.fromEntries(run.columns.map((column, place) => [column, place])),
@@ -97,6 +98,7 @@ export class Page {
         this.flip.disabled = !fluid;
         this.renewViewer(run);
         this.node.classList.toggle("bodies", !fluid);
+        this.node.classList.toggle("film", fluid && this.controls.film);
         const first = await this.client.call("advance", { steps: 0, shown: true });
         this.take(first);
         this.charts.update(this.known);
@@ -134,7 +136,7 @@ export class Page {
         let start = null;
         if (from) {
             // From a hotter fluid, made at once.
-            await this.open(fluidDeck({ ...controls, ...from, equilibration: 300, production: 100 }, false), { shown: name, playing: false });
+            await this.open(fluidDeck({ ...controls, ...from, equilibration: 300, production: 100, measured: false }, false), { shown: name, playing: false });
             await this.compute(300);
             start = await this.client.call("configuration");
         }
@@ -206,6 +208,7 @@ export class Page {
     async nameState({ temperature, density }) {
         const state = await this.client.call("state", { temperature, density });
         this.sliders.name(state);
+        this.phase = state.phase;
     }
 
     isFull() {
@@ -249,6 +252,7 @@ export class Page {
     /** Shows a picture as soon as the one before is drawn; the next one is computed while this one is. */
     show(frame) {
         const now = () => {
+            if (frame.serial !== this.run.serial) return;
             if (!document.hidden && this.viewer.busy) {
                 setTimeout(now, 2);
                 return;
@@ -289,7 +293,7 @@ export class Page {
             if (this.run.kind === "fluid") {
                 this.known.speeds = await this.client.call("speeds");
                 const temperature = results.observables?.temperature?.mean;
-                const equation = temperature > 0 && this.isFull() ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
+                const equation = temperature > 0 && this.isFull() && this.phase !== "solid" && this.phase !== "two phases" ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
                 this.numbers.update(results, equation, this.controls);
             }
             if (this.transport.playing) {
@@ -298,12 +302,12 @@ export class Page {
             } else {
                 this.charts.update(this.known);
             }
+            if (!this.transport.playing && !(this.flipped >= 0)) this.texts.check(this.run.stages, this.state.step, await this.client.call("checksum"));
         } catch (error) {
             if (error.kind === undefined) throw error;  // a run that has failed has no results; it was told why
         } finally {
             this.looking = false;
         }
-        if (!this.transport.playing && !(this.flipped >= 0)) this.texts.check(this.run.stages, this.state.step, await this.client.call("checksum"));
     }
 
     async end() {

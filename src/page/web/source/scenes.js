@@ -12,13 +12,13 @@ export const FLUIDS = {
     evaporate: { ...START, density: 0.06, cells: 5, temperature: 1.2, equilibration: 0 },
     bubble: { ...START, density: 0.62, cells: 6, temperature: 0.75, equilibration: 1000 },
     film: { ...START, cells: 5, film: true, temperature: 0.75, equilibration: 2000, cutoff: 2.5 },
-    reversal: { ...START, temperature: 1.2, equilibration: 0, reversal: 1500 },
+    reversal: { ...START, temperature: 1.2, equilibration: 0, held: false, reversal: 1500 },
 };
 
 /** Names of decks in inputs/fewbody. */
 export const FEW_BODIES = {
-    comet: "kepler-velocity-verlet",
-    "two bodies": "kepler-verlet",
+    comet: "kepler-leapfrog",
+    "two bodies": "kepler-velocity-verlet",
     pendulum: "pendulum",
     "figure eight": "figure-eight",
     pythagorean: "pythagorean",

@@ -4,7 +4,7 @@ import { number } from "../../../report/web/source/format.js";
 import { word } from "./words.js";
 
 const PACES = [1, 2, 5, 10, 20, 50, 100, 0];    // steps a picture; 0: as many as there is time for
-const USUAL = 4;
+export const USUAL = { fluid: 4, "few-body": 1 };    // places among them
 
 export class Transport {
     /** @param {import("./client.js").Client} client @param {() => void} step */
@@ -13,7 +13,7 @@ export class Transport {
         this.playing = false;
         this.pictures = [];
         this.button = element("button", { type: "button", class: "play", onclick: () => (this.playing ? this.pause() : this.play()) });
-        this.pace = element("input", { type: "range", min: 0, max: PACES.length - 1, step: 1, value: USUAL, "aria-label": word("speed") });
+        this.pace = element("input", { type: "range", min: 0, max: PACES.length - 1, step: 1, value: USUAL.fluid, "aria-label": word("speed") });
         this.words = element("output", { class: "pace" });
         this.pace.addEventListener("input", () => this.setPace());
         this.rate = element("p", { class: "rate caption" });
@@ -44,6 +44,14 @@ export class Transport {
     label() {
         this.button.textContent = this.playing ? "❚❚" : "►";
         this.button.setAttribute("aria-label", word(this.playing ? "pause" : "play"));
+    }
+
+    /** Another kind of run has another usual pace. */
+    suit(kind) {
+        if (this.kind === kind) return;
+        this.kind = kind;
+        this.pace.value = USUAL[kind];
+        this.setPace();
     }
 
     setPace() {

@@ -20,6 +20,7 @@ export const WORDS = {
     "about bubble": "A liquid stretched below its vapour pressure: holes open, and grow to a bubble.",
     "about film": "A liquid with its vapour above and below: its surface, and the surface tension.",
     "about reversal": "A crystal melts, then all velocities turn round. The integrator is exact: the crystal comes back, to the last bit. Flip one bit on the way, and it does not.",
+    "sun": "sun",
     "about comet": "A comet around its sun, by leapfrog.",
     "about two bodies": "Two bodies of equal mass on long ellipses.",
     "about pendulum": "A pendulum, let go at 170 degrees.",
@@ -46,7 +47,7 @@ export const WORDS = {
     "mean of": "Errors are standard errors of the mean (blocking); they shrink with the square root of time. {samples}",
     "independent": "{count} independent samples so far.", "not sampled": "Sampling begins after the equilibration.",
     "equation words": "The equation of state is Thol's (2016), for the fluid at the mean density and the set temperature.",
-    "T": "temperature", "U": "potential energy", "p": "pressure", "K": "kinetic energy", "E": "total energy",
+    "T": "temperature", "U": "potential energy", "p": "pressure", "E": "total energy", "γ": "surface tension", "ρ_l": "density of the liquid", "ρ_v": "density of the vapour", "n_c": "neighbours", "D": "diffusion coefficient",
 
     "charts": "Charts",
     "diagram": "Phase diagram", "diagram caption": "Binodal, and spinodals (dashed), by Thol's equation of state; freezing and melting densities by Mastny and de Pablo (2007). Between binodal and spinodal the fluid is metastable.",

@@ -5,6 +5,7 @@ const FULL_SPEED = 35;  // milliseconds of computing for a picture
 
 let engine = null;
 let run = null;         // what was opened
+let serial = 0;         // of what was opened: pictures of another run may still be under way
 let playing = false;
 let drawing = false;    // the page has a picture that it has not drawn yet
 let pace = 10;          // steps a picture; 0: as many as there is time for
@@ -18,7 +19,7 @@ function failureOf(error) {
 
 function pictureNow(state) {
     const picture = run.kind === "fluid" ? engine.picture(run.atoms) : {};
-    return [{ frame: { ...state, ...picture } }, run.kind === "fluid" ? [picture.positions.buffer, picture.speeds.buffer] : []];
+    return [{ frame: { ...state, ...picture, serial } }, run.kind === "fluid" ? [picture.positions.buffer, picture.speeds.buffer] : []];
 }
 
 function advance(steps) {
@@ -67,9 +68,10 @@ onmessage = async ({ data }) => {
     const { id, request } = data;
     try {
         if (request.call === "open") playing = false;
-        const value = request.call === "advance" ? advance(request.steps) : engine.call(request);
+        let value = request.call === "advance" ? advance(request.steps) : engine.call(request);
         if (request.call === "open") {
-            run = value;
+            serial += 1;
+            run = value = { ...value, serial };
             fast = 10;
             drawing = false;
         }
