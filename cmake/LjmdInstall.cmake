@@ -45,6 +45,9 @@ install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_IN
 # The notebook, measurements and trials, is for those who work on the code; the paper is for a journal.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "notebook" EXCLUDE PATTERN "paper" EXCLUDE)
 
+# Made by tools/page, with another compiler: installed where it is there.
+install(FILES build/page/ljmd.html DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs OPTIONAL)
+
 install(EXPORT ljmd_engine NAMESPACE ljmd:: FILE ljmdEngineTargets.cmake DESTINATION ${ljmd_package_dir})
 configure_package_config_file(cmake/ljmdConfig.cmake.in ljmdConfig.cmake INSTALL_DESTINATION ${ljmd_package_dir})
 write_basic_package_version_file(ljmdConfigVersion.cmake COMPATIBILITY SameMajorVersion)

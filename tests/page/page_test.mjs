@@ -1,7 +1,8 @@
 // The page in Chromium: what it shows, that it asks for nothing, what a reader can do, and what hostile input comes to.
 //
 //     node page_test.mjs PLAN.json     {page, packages, browser, pictures, example, short}
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { join } from "node:path";
 import { AXE, check, launch, open, plan, until, verdict } from "../report/browser/harness.mjs";
 
@@ -186,6 +187,27 @@ async function looks(browser) {
     await page.close();
 }
 
+/** Somebody else's page with the engine as a module. Modules come from a server, so here is one. */
+async function moduleExample(browser) {
+    const files = new Map([["/", [plan.example, "text/html"]], ["/ljmd.mjs", [plan.page.replace(/ljmd\.html$/, "ljmd.mjs"), "text/javascript"]]]);
+    const server = createServer((request, response) => {
+        const [file, type] = files.get(request.url) ?? [];
+        response.writeHead(file ? 200 : 404, { "Content-Type": type ?? "text/plain" });
+        response.end(file ? readFileSync(file) : "");
+    });
+    await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+    const page = await browser.newPage();
+    page.on("pageerror", (error) => check("the example of the module has no error", false, error.message));
+    await page.goto(`http://127.0.0.1:${server.address().port}/`);
+    await until(page, () => /^U = /.test(document.getElementById("words").textContent));
+    const words = await text(page, "#words");
+    check("the example of the module ends with an energy, its error and a checksum", /^U = -\d\.\d{3} ± 0\.\d{3}, xxh3:/.test(words), words);
+    writeFileSync(join(plan.pictures, "example.json"), JSON.stringify({ checksum: words.split(", ")[1] }));
+    await picture(page, "example");
+    await page.close();
+    server.close();
+}
+
 const browser = await launch();
 const { page, complaints } = await open(browser, plan.page);
 await firstMinute(page);
@@ -200,8 +222,9 @@ const link = await texts(page);
 check("no complaint, no request", complaints.length === 0, complaints);
 await page.close();
 const { page: linked } = await open(browser, plan.page, { hash: new URL(link).hash });
-check("the link opens the deck", (await linked.inputValue("textarea")) === JSON.parse((await import("node:fs")).readFileSync(join(plan.pictures, "home.json"), "utf8")).deck);
+check("the link opens the deck", (await linked.inputValue("textarea")) === JSON.parse(readFileSync(join(plan.pictures, "home.json"), "utf8")).deck);
 await linked.close();
+await moduleExample(browser);
 if (!plan.short) {
     await hostile(browser, link);
     await looks(browser);

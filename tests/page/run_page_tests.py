@@ -9,6 +9,7 @@ program must show at home is tried with the program. Pictures of the page are le
 
 import argparse
 import json
+import re
 import shlex
 import shutil
 import subprocess
@@ -16,6 +17,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+EXAMPLE = HERE.parents[1] / "docs/examples/page/index.html"
 WEB = HERE.parents[1] / "src/report/web"
 
 
@@ -41,9 +43,13 @@ def main() -> int:
     options.work.mkdir(parents=True)
     plan = options.work / "plan.json"
     plan.write_text(json.dumps({"page": str((options.page / "ljmd.html").resolve()), "packages": str(WEB), "browser": shutil.which("chromium"),
-                                "pictures": str(options.work.resolve()), "short": options.short}), encoding="utf-8")
+                                "pictures": str(options.work.resolve()), "example": str(EXAMPLE), "short": options.short}), encoding="utf-8")
     failed = subprocess.run(["node", HERE / "page_test.mjs", plan], check=False).returncode != 0
-    wrong = home(options.ljmd.resolve(), json.loads((options.work / "home.json").read_text(encoding="utf-8")), options.work)
+    said = json.loads((options.work / "home.json").read_text(encoding="utf-8"))
+    example = json.loads((options.work / "example.json").read_text(encoding="utf-8"))
+    deck = re.search(r"const deck = `\n(.*?)`", EXAMPLE.read_text(encoding="utf-8"), re.DOTALL)[1]
+    wrong = home(options.ljmd.resolve(), said, options.work)
+    wrong += home(options.ljmd.resolve(), {"deck": deck, "command": "ljmd run page.toml", **example}, options.work)
     print("\n".join(f"FAIL {words}" for words in wrong))
     return 1 if failed or wrong else 0
 

@@ -1,6 +1,6 @@
 // Sliders of the state. While one moves, the state is named; when it is let go, the run changes.
 import { element, uniqueId } from "../../../report/web/source/dom.js";
-import { number } from "../../../report/web/source/format.js";
+import { number, withSubscripts } from "../../../report/web/source/format.js";
 import { LIMITS, SIZES } from "./decks.js";
 import { word } from "./words.js";
 
@@ -8,7 +8,7 @@ function slider(name, key, unit) {
     const id = uniqueId(key);
     const input = element("input", { id, type: "range", ...LIMITS[key] });
     const output = element("output", { for: id });
-    const row = element("div", { class: `slider of-${key}` }, element("label", { for: id }, word(name)), output, input);
+    const row = element("div", { class: `slider of-${key}` }, element("label", { for: id }, withSubscripts(word(name))), output, input);
     return { row, input, show: (value = Number(input.value)) => {
         output.textContent = `${number(value, 4)}${unit ? ` ${unit}` : ""}`;
         input.setAttribute("aria-valuetext", output.textContent);

@@ -68,7 +68,7 @@ ${controls.film ? 'truncation = "shifted"' : 'truncation = "cut"\ntail = true   
 ${equilibration}[[stage]]
 name = "production"
 time_step = ${number(controls.timeStep)}
-steps = ${controls.production ?? 1000000}
+steps = ${controls.production ?? 2000000}
 ${controls.held ? `temperature = ${number(controls.temperature)}\n` : ""}${thermostat}
 sample = true
 

@@ -14,6 +14,7 @@ import { Transport } from "./transport.js";
 import { word } from "./words.js";
 
 const KNOW = 700;       // milliseconds between looks at the averages
+const MOST_ROWS = 6000;
 const SLICE = 500;      // steps that are computed at once where nobody looks
 
 /* global ljmdFewBodies, ljmdDiagram: decks of inputs/fewbody by name, and lines of the phase diagram; put here by build.mjs */
@@ -274,6 +275,8 @@ export class Page {
         this.state = state;
         this.transport.finished = state.finished;
         for (const row of state.rows) this.known.rows.push(row);
+        // Of old samples fewer are kept: a chart has room for some hundreds, and a run may last for hours.
+        if (this.known.rows.length > MOST_ROWS) this.known.rows = this.known.rows.filter((_, place, all) => place > all.length / 2 || place % 2 === 0);
         const total = this.run.steps;
         this.stateWords.textContent = word("state", { time: number(Number(state.time.toPrecision(6)), 6), unit: this.run.kind === "fluid" ? "τ" : "", step: number(state.step),
             of: total < 1e6 ? ` / ${number(total)}` : "", stage: state.finished ? word("finished") : state.stage });

@@ -35,7 +35,7 @@ export const WORDS = {
     "finished": "finished", "computing": "computing {steps} steps …",
     "atoms label": "Atoms. Arrow keys turn, plus and minus zoom, 0 resets.",
     "no webgl": "The atoms cannot be turned here: {why}. This is a still picture.",
-    "speed legend": "speed / √(k_B T/m)", "box": "Box", "reset view": "Reset view",
+    "speed legend": "thermal speeds √(kT/m)", "box": "Box", "reset view": "Reset view",
 
     "controls": "State",
     "temperature": "Temperature T", "density": "Density ρ", "time step": "Time step Δt", "size": "Atoms N", "cutoff": "Cutoff r_c",
