@@ -57,9 +57,11 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
                                .table = table.name,
                                .x = drawn.x,
                                .y = drawn.y,
-                               .error = error});
+                               .error = error,
+                               .group = drawn.group});
     }
-    chart.marks.push_back({.type = "line", .label = "measured", .table = table.name, .x = drawn.x, .y = drawn.y});
+    chart.marks.push_back(
+        {.type = "line", .label = "measured", .table = table.name, .x = drawn.x, .y = drawn.y, .group = drawn.group});
     return chart;
 }
 

@@ -123,6 +123,7 @@ struct AnalysisChart {
     const char* expected = "";  ///< column of what y is expected to be, drawn as a line below dots; none
     const char* expected_label = "";
     bool logarithmic = false;  ///< the axis of y
+    const char* group = "";    ///< column whose values each are a line of their own
 };
 
 /// An analysis, as [analysis] selects it. Each is one file in src/observables/analyses.

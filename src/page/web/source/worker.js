@@ -1,7 +1,8 @@
 // The engine in its Worker: answers requests, and plays: steps, then a picture, then it waits until that is drawn.
 import { makeEngine } from "./engine.js";
 
-const FULL_SPEED = 35;  // milliseconds of computing for a picture
+const PICTURE = 38;     // milliseconds between pictures at full speed, at least
+const PIECE = 10;       // milliseconds of computing at full speed between looks at the messages
 
 let engine = null;
 let run = null;         // what was opened
@@ -9,7 +10,9 @@ let serial = 0;         // of what was opened: pictures of another run may still
 let playing = false;
 let drawing = false;    // the page has a picture that it has not drawn yet
 let pace = 10;          // steps a picture; 0: as many as there is time for
-let fast = 10;          // that many at full speed
+let fast = 10;          // that many in a piece at full speed
+let untold = null;      // what was computed since the last picture
+let shownAt = 0;
 
 const turn = new MessageChannel();  // unlike a timer it is not slowed down in the background
 
@@ -28,27 +31,59 @@ function advance(steps) {
     return { ...state, milliseconds: performance.now() - begin, steps };
 }
 
+/** Puts together what several pieces have computed. */
+function joined(before, state) {
+    if (before === null) return state;
+    return { ...state, rows: [...before.rows, ...state.rows], steps: before.steps + state.steps, milliseconds: before.milliseconds + state.milliseconds };
+}
+
 function play() {
-    if (!playing || drawing) return;
+    const full = pace === 0;
+    // At full speed the run goes on while a picture is drawn; else it waits for that.
+    if (!playing || (drawing && !full)) return;
     try {
-        const state = advance(pace > 0 ? pace : fast);
-        if (pace === 0) fast = Math.max(1, Math.min(Math.round((fast * FULL_SPEED) / Math.max(state.milliseconds, 1)), 4 * fast));
+        const state = advance(full ? fast : pace);
+        if (full) fast = Math.max(1, Math.min(Math.round((fast * PIECE) / Math.max(state.milliseconds, 0.5)), 4 * fast));
+        untold = joined(untold, state);
         if (state.finished) playing = false;
-        drawing = true;
-        postMessage(...pictureNow({ ...state, playing }));
+        if (state.finished || (!drawing && (!full || performance.now() - shownAt >= PICTURE))) {
+            drawing = true;
+            shownAt = performance.now();
+            const whole = untold;
+            untold = null;
+            postMessage(...pictureNow({ ...whole, playing }));
+        }
+        if (full) soon();
     } catch (error) {
         playing = false;
         postMessage({ stopped: failureOf(error) });
     }
 }
-turn.port2.onmessage = play;
-const soon = () => turn.port1.postMessage(null);
+let isWaiting = false;  // for its turn
+turn.port2.onmessage = () => {
+    isWaiting = false;
+    play();
+};
+function soon() {
+    if (!isWaiting) turn.port1.postMessage(null);
+    isWaiting = true;
+}
 
 const commands = {
     play: () => { playing = true; soon(); },
-    pause: () => { playing = false; },
-    drawn: () => { drawing = false; soon(); },
-    pace: ({ steps }) => { pace = steps; },
+    pause: () => {
+        playing = false;
+        if (untold !== null) postMessage(...pictureNow({ ...untold, playing }));
+        untold = null;
+    },
+    drawn: () => {
+        drawing = false;
+        if (pace > 0) soon();
+    },
+    pace: ({ steps }) => {
+        pace = steps;
+        soon();
+    },
 };
 
 onmessage = async ({ data }) => {
@@ -74,6 +109,7 @@ onmessage = async ({ data }) => {
             run = value = { ...value, serial };
             fast = 10;
             drawing = false;
+            untold = null;
         }
         postMessage({ id, value });
         if (request.call === "advance" && request.shown) postMessage(...pictureNow({ ...value, playing: false }));

@@ -1,0 +1,120 @@
+#include "ljmd/observables/dynamics/scattering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ljmd {
+
+namespace {
+
+constexpr UsualLags usual_scattering_lags{.every = 10, .max_time = 4.0, .share = 0.1};
+
+struct ScatteringOptions : AnalysisOptions {
+    LagOptions lags{usual_scattering_lags};
+    std::optional<double> k_min = {};
+    double k_max = 7.0;
+    Index shells = 7;
+    Index vectors = 3;
+    Index origins = 8;
+
+    void describe(Description& description) override {
+        lags.describe(description);
+        description.number("k_min", k_min)
+            .unit("1/sigma")
+            .above(0.0)
+            .optional("2 pi/L, the smallest that the box allows")
+            .meaning("smallest wave number");
+        description.number("k_max", k_max).unit("1/sigma").above(0.0).at_most(100.0).meaning("largest wave number");
+        description.integer("shells", shells)
+            .at_least(1)
+            .at_most(1000)
+            .meaning("wave numbers, equally spaced from `k_min` to `k_max`; the nearest that the box allows are taken");
+        description.integer("vectors", vectors)
+            .at_least(1)
+            .at_most(1000)
+            .meaning("wave vectors of each wave number, over which is averaged");
+        description.integer("origins", origins)
+            .at_least(1)
+            .at_most(100000)
+            .meaning("time origins of F_s within `max_time`; each takes 16 bytes an atom and wave vector");
+    }
+    [[nodiscard]] Misfits check(const SampledRun& run) const override {
+        Misfits misfits = lags.check(run, "scattering");
+        const double least = smallest_wave_number(run.box);
+        if (k_max < k_min.value_or(least)) {
+            misfits.emplace_back("k_max",
+                                 fmt::format("'k_max' in scattering is {:.6g}, but the smallest wave number is "
+                                             "{:.6g}",
+                                             k_max, k_min.value_or(least)));
+        }
+        return misfits;
+    }
+    [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        return std::make_unique<Scattering>(run.atoms, shells_in(run.box), times, correlation_window(times, run),
+                                            origins);
+    }
+    [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        const Index window = correlation_window(times, run);
+        const Index frames = run.steps / times.every + 1;
+        const Index between = std::max((times.count + origins - 1) / origins, Index{1});
+        const Index added = std::max((frames - times.count) / between, Index{0});
+        const auto open = static_cast<double>((std::min(frames, times.count) + between - 1) / between);
+        const auto all_vectors = static_cast<double>(shells * vectors);
+        const double phases = 16.0 * all_vectors * static_cast<double>(run.atoms);
+        return {
+            .kept = open * phases + 64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
+                    BlockingAccumulator::bytes(4 * shells * (times.count + 1), Covariance::diagonal, frames / window) +
+                    BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added),
+            .passing = phases};
+    }
+
+  private:
+    [[nodiscard]] std::vector<WaveShell> shells_in(const Box& box) const {
+        return wave_shells(box, k_min.value_or(std::min(smallest_wave_number(box), k_max)), k_max, shells, vectors);
+    }
+};
+
+}  // namespace
+
+/// Scattering functions, see dynamics/scattering.hpp.
+AnalysisMethod scattering() {
+    return {
+        .name = "scattering",
+        .meaning =
+            "intermediate scattering functions F(k, t) and F_s(k, t), longitudinal and transverse currents, dynamic "
+            "structure factor S(k, omega), written to fkt.csv, fskt.csv and skw.csv",
+        .files = {"fkt", "fskt", "skw"},
+        .follows_time = true,
+        .needs = {.velocities = true, .unwrapped_positions = true},
+        .quantities = {{"k", "k sigma", ""},
+                       {"F", "F(k, t)", ""},
+                       {"C_L", "C_L(k, t)", "tau^-2"},
+                       {"C_T", "C_T(k, t)", "tau^-2"},
+                       {"F_s", "F_s(k, t)", ""},
+                       {"angular_frequency", "omega tau", ""},
+                       {"S_kw", "S(k, omega)", "tau"}},
+        .charts =
+            {{.file = "fkt",
+              .x = "time",
+              .y = "F",
+              .title = "Intermediate scattering F(k, t), by wave number",
+              .group = "k"},
+             {.file = "fskt",
+              .x = "time",
+              .y = "F_s",
+              .title = "Its self part F_s(k, t), by wave number",
+              .group = "k"},
+             {.file = "fkt", .x = "time", .y = "C_L", .title = "Longitudinal current, by wave number", .group = "k"},
+             {.file = "fkt", .x = "time", .y = "C_T", .title = "Transverse current, by wave number", .group = "k"},
+             {.file = "skw",
+              .x = "angular_frequency",
+              .y = "S_kw",
+              .title = "Dynamic structure factor S(k, omega), by wave number",
+              .group = "k"}},
+        .options = [] { return std::make_unique<ScatteringOptions>(); }};
+}
+
+}  // namespace ljmd
