@@ -294,7 +294,7 @@ def self_test():
         broken(CONSUMER, "examples/argon.cpp", "examples/neon.cpp", "no file docs/examples/neon.cpp"),
         broken("cmake/LjmdDependencies.cmake", "find_package(CLI11 REQUIRED)", "find_package(CLI11 REQUIRED)\n    find_package(Boost REQUIRED)",
                "Boost: name its package"),
-        broken("tools/packages", "use   libfmt-dev          fmt             fmt\n", "", "recipe.yaml: fmt is not in"),
+        broken("tools/packages", "use   libcli11-dev        cli11           cli11\n", "", "recipe.yaml: cli11 is not in"),
     ])
 
 

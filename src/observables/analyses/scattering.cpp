@@ -16,7 +16,7 @@ struct ScatteringOptions : AnalysisOptions {
     double k_max = 7.0;
     Index shells = 7;
     Index vectors = 3;
-    Index origins = 8;
+    Index origins = 4;  // more cost memory traffic, and add little: the average is over all atoms, too
 
     void describe(Description& description) override {
         lags.describe(description);
