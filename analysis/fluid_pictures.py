@@ -2,7 +2,7 @@
 
 thermo (thermodynamics against time), atoms (the last configuration) and, where there are these tables, rdf (the radial
 distribution function), sk (the structure factor), msd (displacements), vacf and vibrational_spectrum (velocities),
-stress_autocorrelation (viscosity).
+stress_autocorrelation (viscosity), and those of time_pictures.py (scattering functions).
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@ from typing import Callable, Optional, Sequence
 
 import numpy as np
 import style
+import time_pictures
 from ljmd.reading.files import damaged, is_there
 from ljmd.reading.fluids import FluidRun
 from ljmd.reading.tables import Table, read_table
@@ -206,13 +207,20 @@ PICTURES = {
     "heat_flux_autocorrelation": ("time", ("heat_flux_autocorrelation", "heat_flux_autocorrelation_standard_error",
                                            "thermal_conductivity", "thermal_conductivity_standard_error"),
                                   heat_flux_autocorrelation),
+    **time_pictures.PICTURES,
 }
 
 
+def repeats(first: str, others: tuple[str, ...]) -> bool:
+    """Whether the first column may have a value twice: two families of reciprocal lattice vectors can be equally long, and
+    tables of time correlations have one curve below the other."""
+    return "miller_h" in others or any((first, others) == PICTURES[name][:2] for name in time_pictures.REPEATING)
+
+
 def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
-    """A table whose first column increases, and whose other columns have a number in every row, errors excepted; None
-    when one of them has no value at all. Two families of reciprocal lattice vectors can be equally long."""
-    table = read_table(path, (first, *others), increasing=() if "miller_h" in others else (first,))
+    """A table whose first column increases, unless it repeats itself, and whose other columns have a number in every row,
+    errors excepted; None when one of them has no value at all."""
+    table = read_table(path, (first, *others), increasing=() if repeats(first, others) else (first,))
     drawn = [name for name in others if not name.endswith("_standard_error")]
     return table if has_values(path, table, drawn) else None
 

@@ -123,9 +123,12 @@ class Analyses(_Known):
     oscillation: Any
     rdf: Any
     response_functions: Any
+    scattering: Any
     structure_factor: Any
     thermal_conductivity: Any
     vacf: Any
+    van_hove: Any
+    van_hove_distinct: Any
     viscosity: Any
 
     if not TYPE_CHECKING:

@@ -28,9 +28,12 @@ class Trajectory:
     msd: Callable[..., Results]
     rdf: Callable[..., Results]
     response_functions: Callable[..., Results]
+    scattering: Callable[..., Results]
     structure_factor: Callable[..., Results]
     thermal_conductivity: Callable[..., Results]
     vacf: Callable[..., Results]
+    van_hove: Callable[..., Results]
+    van_hove_distinct: Callable[..., Results]
     viscosity: Callable[..., Results]
 
     def __init__(self, open_again):

@@ -13,7 +13,7 @@ import tempfile
 
 import numpy as np
 
-ATOMS, EVERY, LAGS, ORIGINS, BINS, RADIUS, TIMES, STEP = 108, 5, 12, 4, 20, 0.5, 3, 0.004
+ATOMS, EVERY, LAGS, ORIGINS, BINS, RADIUS, TIMES, BETWEEN, STEP = 108, 5, 12, 4, 20, 0.5, 3, 60, 0.004
 DECK = f"""[system]
 lattice = {{ type = "fcc", cells = 3 }}
 density = 0.8
@@ -39,6 +39,7 @@ trajectory = {{ format = "xyz", every = {EVERY}, velocities = true }}
 [analysis]
 scattering = {{ every = {EVERY}, max_time = {EVERY * LAGS * STEP}, origins = {ORIGINS}, shells = 2, vectors = 3, k_max = {{k_max}} }}
 van_hove = {{ every = {EVERY}, max_time = {EVERY * LAGS * STEP}, origins = {ORIGINS}, bins = {BINS}, radius = {RADIUS}, times = {TIMES} }}
+van_hove_distinct = {{ every = {EVERY}, max_time = {EVERY * 4 * STEP}, between = {EVERY * BETWEEN * STEP}, bins = 25, radius = 2.5 }}
 structure_factor = {{ every = {EVERY}, width = 0.01, k_max = 3.0 }}
 """
 
@@ -108,7 +109,7 @@ def main() -> int:
         subprocess.run([options.ljmd, "run", "deck.toml", "--quiet", "--out", "run"], cwd=folder, check=True, capture_output=True)
         run = folder / "run"
         fkt, fskt, skw = (table(run / f"{file}.csv") for file in ("fkt", "fskt", "skw"))
-        gs, alpha2, sk = (table(run / f"{file}.csv") for file in ("gs", "alpha2", "sk"))
+        gs, alpha2, gd, sk = (table(run / f"{file}.csv") for file in ("gs", "alpha2", "gd", "sk"))
         r, v = frames_of(run / "trajectory.xyz")
 
     window = 2 * LAGS
@@ -158,6 +159,17 @@ def main() -> int:
         rows = slice(number * BINS, (number + 1) * BINS)
         check.near(f"time of G_s {number}", gs["time"][rows], times[lag], 1e-12)
         check.near(f"G_s {number}", gs["G_s"][rows], counts / volumes, 1e-9)
+    origins = np.arange(0, len(r) - 4, BETWEEN)
+    edges = np.linspace(0, 2.5, 26)
+    for lag in range(5):
+        counts = np.zeros(25)
+        for origin in origins:
+            apart = r[origin + lag][None, :, :] - r[origin][:, None, :]
+            apart -= edge * np.round(apart / edge)
+            distances = np.sqrt(np.sum(apart**2, axis=2))[~np.eye(ATOMS, dtype=bool)]
+            counts += np.histogram(distances, edges)[0] / (len(origins) * ATOMS)
+        rows = slice(lag * 25, (lag + 1) * 25)
+        check.near(f"G_d at {lag}", gd["G_d"][rows], counts / (4 / 3 * np.pi * np.diff(edges**3)), 1e-9)
     print(f"{check.failed} comparisons failed")
     return 1 if check.failed else 0
 
