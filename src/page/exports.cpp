@@ -76,7 +76,7 @@ Data answer_to(const Data& request) {
         return present().result();
     }
     if (wanted == "checksum") {
-        return present().checksum();
+        return present().checksum_data();
     }
     if (wanted == "speeds") {
         return present().speeds();

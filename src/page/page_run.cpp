@@ -233,8 +233,8 @@ Data PageRun::result() const {
         *run_);
 }
 
-std::string PageRun::checksum() const {
-    return ljmd::checksum(state());
+Data PageRun::checksum_data() const {
+    return {{"step", state().step}, {"checksum", checksum(state())}};
 }
 
 Data PageRun::speeds() const {

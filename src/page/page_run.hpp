@@ -35,8 +35,8 @@ class PageRun {
     /// The report that `ljmd run` ends with (results.json), and the tables of the analyses, of the run so far.
     [[nodiscard]] Data result() const;
 
-    /// Checksum of the positions, as `ljmd run` prints it.
-    [[nodiscard]] std::string checksum() const;
+    /// The step, and the checksum of the positions as `ljmd run` prints it.
+    [[nodiscard]] Data checksum_data() const;
 
     /// Speeds of the atoms as they are now: a histogram as a density, and Maxwell's distribution at their temperature.
     [[nodiscard]] Data speeds() const;

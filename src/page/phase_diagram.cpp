@@ -59,10 +59,12 @@ Data state_of_fluid(double temperature, double density) {
     Data data = equation_at(temperature, density);
     try {
         const PhaseOfState phase = phase_of_state(equation(), temperature, density);
-        data["phase"] = name_of(phase.phase);
-        data["lines"] = phase.lines();
-        data["stable"] = phase.phase == FluidPhase::gas || phase.phase == FluidPhase::liquid ||
-                         phase.phase == FluidPhase::supercritical;
+        const bool is_cold = temperature < triple_point_temperature && phase.phase != FluidPhase::gas;
+        data["phase"] = is_cold ? "below the triple point" : name_of(phase.phase);
+        data["lines"] =
+            is_cold ? "only crystal and vapour are stable there, and a liquid is supercooled" : phase.lines();
+        data["stable"] = !is_cold && (phase.phase == FluidPhase::gas || phase.phase == FluidPhase::liquid ||
+                                      phase.phase == FluidPhase::supercritical);
         if (phase.phase == FluidPhase::two_phases && phase.saturation) {
             data["saturation_pressure"] = phase.saturation->pressure;
         }

@@ -45,4 +45,8 @@ TEST_CASE("a state of the page has the pressure and the phase of the equation of
     CHECK_FALSE(torn["stable"].flag());
     CHECK(torn["saturation_pressure"].number() > 0.0);
     CHECK_FALSE(state_of_fluid(0.75, 0.95)["stable"].flag());
+    // Where no liquid is stable, a dense fluid is not called one.
+    CHECK(state_of_fluid(0.6, 0.97)["phase"].text() == "below the triple point");
+    CHECK_FALSE(state_of_fluid(0.6, 0.97)["stable"].flag());
+    CHECK(state_of_fluid(0.6, 1e-4)["phase"].text() == "gas");
 }

@@ -25,10 +25,10 @@ export class Exercises {
 
     exercise(question, answer) {
         const id = uniqueId(question);
-        const field = element("input", { id, type: "number", step: "any", inputmode: "decimal" });
+        const field = element("input", { id, type: "text", inputmode: "decimal", autocomplete: "off" });
         const words = element("p", { role: "status" });
         const check = () => {
-            const given = field.valueAsNumber;
+            const given = field.value.trim() === "" ? NaN : Number(field.value.trim().replace(",", "."));
             const right = answer();
             words.classList.remove("right");
             if (!Number.isFinite(given)) words.textContent = word("not a number");

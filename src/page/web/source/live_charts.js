@@ -35,9 +35,12 @@ class LiveChart {
         this.chart = chart;
         this.figure = chartFigure(chart, this.tables, null, 3);
         this.node = this.figure.node;
+        // A chart out of sight is old; whoever comes to it, or saves it, sees the newest.
+        for (const arrival of ["pointerenter", "focusin"]) this.node.addEventListener(arrival, () => this.known && this.update(this.known));
     }
 
     update(known) {
+        this.known = known;
         const all = this.columns(known);
         this.node.hidden = all === null;
         if (all === null) return;
@@ -71,13 +74,12 @@ function diagramChart() {
     });
 }
 
-function historyChart() {
-    const chart = { id: "history", title: word("history"), caption: word("history caption", { count: MOST_POINTS }), x: { label: "t / tau" }, y: { label: "T, p" }, marks: [curve("T", word("T"), 0), curve("p", word("p"), 1)] };
-    return new LiveChart(chart, ["T", "p"], ({ rows, place, fluid }) => {
+function historyChart(id, symbol, unit, name, colour) {
+    const chart = { id, title: word(id), caption: word(`${id} caption`), x: { label: "t / tau" }, y: { label: `${symbol} / (${unit})` }, marks: [curve(id, word(symbol), colour)] };
+    return new LiveChart(chart, [id], ({ rows, place, fluid }) => {
         if (!fluid) return null;
         const last = thinned(rows.slice(-4 * MOST_POINTS));
-        const x = column(last, place.time);
-        return { T: { x, y: column(last, place.temperature) }, p: { x, y: column(last, place.pressure) } };
+        return { [id]: { x: column(last, place.time), y: column(last, place[name]) } };
     });
 }
 
@@ -132,7 +134,8 @@ function errorChart() {
 export class LiveCharts {
     constructor() {
         this.all = [
-            diagramChart(), historyChart(), energyChart(), orderChart(),
+            diagramChart(), orderChart(), historyChart("temperatures", "T", "epsilon/k_B", "temperature", 0),
+            historyChart("pressures", "p", "epsilon/sigma^3", "pressure", 1), energyChart(),
             analysisChart("rdf", { id: "rdf", x: "r / sigma", y: "g", from: { x: "r", y: "g" }, error: "g_standard_error" }),
             analysisChart("sk", { id: "sk", x: "k sigma", y: "S", from: { x: "k", y: "S" }, error: "S_standard_error" }),
             analysisChart("msd", { id: "msd", x: "t / tau", y: "<|r(t) - r(0)|^2> / sigma^2", from: { x: "time", y: "msd" }, error: "standard_error" }),
@@ -151,6 +154,7 @@ export class LiveCharts {
 
     /** One chart that is on the screen, in turn: drawing all at once would halt the picture. */
     updateNext(known) {
+        for (const chart of this.all) chart.known = known;
         for (let tried = 0; tried < this.all.length; ++tried) {
             const chart = this.all[this.next];
             this.next = (this.next + 1) % this.all.length;

@@ -35,7 +35,9 @@ async function begin() {
     }
     if (linked) {
         page.texts.deck.value = linked.deck;
-        await page.guard(async () => { await page.open(linked.deck, { name: linked.name }); page.readControls(); });
+        page.ofText = async () => { await page.open(linked.deck, { name: linked.name }); page.readControls(); };
+        await page.guard(page.ofText);
+        page.ofText = () => page.openText();
     } else {
         await page.guard(() => page.openScene("liquid"));
         if (complaint) page.texts.complain(complaint);

@@ -45,7 +45,7 @@ export class Simulation {
     get finished() { return this.#state.finished; }
     get edges() { return this.#state.edges ?? null; }
     get samples() { return this.#samples; }
-    get checksum() { return this.#engine.call({ call: "checksum" }); }
+    get checksum() { return this.#engine.call({ call: "checksum" }).checksum; }
 
     result() {
         const { results, text, tables } = this.#engine.call({ call: "result" });

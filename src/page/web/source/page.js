@@ -2,12 +2,11 @@
 import { element } from "../../../report/web/source/dom.js";
 import { number } from "../../../report/web/source/format.js";
 import { Controls } from "./controls.js";
-import { fluidDeck, reversalDeck, START } from "./decks.js";
+import { fluidDeck, pastOf, reversalDeck, START } from "./decks.js";
 import { Exercises } from "./exercises.js";
-import { LiveAtoms } from "./live_atoms.js";
-import { LiveBodies } from "./live_bodies.js";
 import { LiveCharts } from "./live_charts.js";
 import { Numbers } from "./numbers.js";
+import { Picture } from "./picture.js";
 import { FEW_BODIES, FLUIDS } from "./scenes.js";
 import { START_FILE, Texts } from "./texts.js";
 import { Transport } from "./transport.js";
@@ -15,6 +14,9 @@ import { word } from "./words.js";
 
 const KNOW = 700;       // milliseconds between looks at the averages
 const MOST_ROWS = 6000;
+const MOST_STAGES = 10; // of a run that is told as one deck
+const MOST_WORK = 1.5e7; // steps of one atom that are computed again for it
+const NOT_FLUID = [null, "solid", "two phases", "below the triple point"];  // where the equation of state says nothing
 const SLICE = 500;      // steps that are computed at once where nobody looks
 
 /* global ljmdFewBodies, ljmdDiagram: decks of inputs/fewbody by name, and lines of the phase diagram; put here by build.mjs */
@@ -26,25 +28,28 @@ export class Page {
         this.controls = { ...START };
         this.known = { rows: [], tables: [], place: {}, fluid: null, controls: this.controls, diagram: ljmdDiagram };
         this.opening = Promise.resolve();
+        this.ofText = () => this.openText();
         this.layout();
         client.on("frame", (frame) => this.show(frame));
         client.on("stopped", (error) => this.stop(error));
         setInterval(() => this.look(), KNOW);
+        window.addEventListener("beforeprint", () => this.charts.update(this.known));
     }
 
     layout() {
         const button = (name, act, more = {}) => element("button", { type: "button", class: "small", onclick: act, ...more }, word(name));
         this.transport = new Transport(this.client, () => this.guard(() => this.step()));
         this.texts = new Texts({
-            run: () => this.guard(() => this.openText()), link: () => this.guard(() => this.texts.copyLink()), verify: () => this.guard(() => this.verify()),
+            run: () => this.guard(this.ofText), link: () => this.guard(() => this.texts.copyLink()), verify: () => this.guard(() => this.verify()),
         });
         this.flip = element("input", { type: "checkbox" });
+        this.flip.addEventListener("change", () => { if (this.run?.stages[1]?.reverse) this.guard(() => this.again()); });
         this.reverseButton = button("reverse", () => this.guard(() => this.reverse()));
         this.stateWords = element("p", { class: "time" });
         this.about = element("p", { class: "about" });
         this.verdict = element("p", { class: "verdict-line", role: "status", hidden: true });
         this.trouble = element("div", { class: "trouble", role: "alert", hidden: true });
-        this.place = element("div", { class: "picture" });
+        this.picture = new Picture(this.client);
         this.sliders = new Controls({
             moved: (values) => this.nameStateSoon(values),
             changed: (key, value) => this.guard(() => this.change(key, value)),
@@ -64,10 +69,10 @@ export class Page {
                 element("div", { role: "group", "aria-label": word("fluids") }, Object.keys(FLUIDS).map((name) => scene(name, () => this.openScene(name)))),
                 element("div", { role: "group", "aria-label": word("few bodies") }, Object.keys(FEW_BODIES).map((name) => scene(name, () => this.openFewBodies(name))))),
             element("div", { class: "table" },
-                element("section", { class: "viewer", "aria-label": word("atoms label") }, this.about, this.place,
+                element("section", { class: "viewer", "aria-label": word("atoms label") }, this.about, this.picture.node,
                     this.transport.node,
                     element("div", { class: "controls" }, this.stateWords, button("again", () => this.guard(() => this.again())), this.reverseButton,
-                        element("label", { class: "check" }, this.flip, ` ${word("flip")}`), button("reset view", () => this.viewer?.resetView())),
+                        element("label", { class: "check" }, this.flip, ` ${word("flip")}`), button("reset view", () => this.picture.viewer?.resetView())),
                     this.verdict, this.trouble, this.transport.rate),
                 element("div", { class: "side" }, this.sliders.node, this.numbers.node)),
             element("section", { "aria-labelledby": "charts" }, element("h2", { id: "charts" }, word("charts")), this.charts.node),
@@ -78,12 +83,13 @@ export class Page {
 
     /** Opens a deck. @param {object} how `start`: the text of its start file; `shown`: name of the scene */
     async open(deck, { start = null, shown = null, about = null, force = false, flip = -1, playing = true, name = "page.toml" } = {}) {
+        const run = await this.client.call("open", { name, deck, settings: [], force, files: start ? { [START_FILE]: start } : {}, flip });
         this.transport.pause();
         this.trouble.hidden = this.texts.messages.hidden = this.verdict.hidden = true;
-        const run = await this.client.call("open", { name, deck, settings: [], force, files: start ? { [START_FILE]: start } : {}, flip });
         this.run = run;
         this.start = start;
         this.shown = shown;
+        this.past = pastOf(deck);
         this.texts.show(deck, start, force, run.warnings);
         this.flipped = flip;
         const fluid = run.kind === "fluid";
@@ -97,7 +103,7 @@ export class Page {
         for (const [scene, made] of this.scenes) made.setAttribute("aria-pressed", String(scene === shown));
         this.reverseButton.disabled = !fluid;
         this.flip.disabled = !fluid;
-        this.renewViewer(run);
+        this.picture.renew(run);
         this.node.classList.toggle("bodies", !fluid);
         this.node.classList.toggle("film", fluid && this.controls.film);
         const first = await this.client.call("advance", { steps: 0, shown: true });
@@ -117,21 +123,11 @@ export class Page {
         return steps;
     }
 
-    renewViewer(run) {
-        const same = run.kind === "fluid" && this.viewer instanceof LiveAtoms && this.viewer.count === run.atoms &&
-            run.edges.every((edge, axis) => Math.abs(edge / this.viewer.box[axis] - 1) < 0.2);
-        if (same) return;
-        this.viewer?.close();
-        this.viewer = run.kind === "fluid" ? new LiveAtoms(run.atoms, run.edges) : new LiveBodies(run);
-        this.place.replaceChildren(this.viewer.node);
-    }
-
     async openScene(name) {
         const { from, reversal, ...controls } = FLUIDS[name];
         this.setControls(controls);
         if (reversal) {
-            this.there = reversal;
-            await this.open(reversalDeck(controls, false, reversal), { shown: name });
+            await this.open(reversalDeck(controls, false, reversal), { shown: name, flip: this.flipAfter(reversal, controls.timeStep) });
             return;
         }
         let start = null;
@@ -141,7 +137,7 @@ export class Page {
             await this.compute(300);
             start = await this.client.call("configuration");
         }
-        await this.open(fluidDeck({ ...controls, atoms: this.run?.atoms }, start !== null), { start, shown: name });
+        await this.open(fluidDeck(controls, start !== null), { start, shown: name });
     }
 
     async openFewBodies(name) {
@@ -156,18 +152,58 @@ export class Page {
     }
 
     async again() {
-        await this.open(this.texts.deck.value, { start: this.start, shown: this.shown, force: this.texts.force.checked });
+        const [there, back] = this.run.stages;
+        const flip = back?.reverse ? this.flipAfter(there.steps, there.time_step) : -1;
+        await this.open(this.texts.deck.value, { start: this.start, shown: this.shown, force: this.texts.force.checked, flip });
     }
 
-    /** A slider was let go: the atoms go on from where they are, or anew when their number changes. */
+    /** The time of a flipped bit, a twentieth of the way back; none is flipped unless it is asked for. */
+    flipAfter(steps, timeStep) {
+        return this.flip.checked ? (steps + Math.ceil(steps / 20)) * timeStep : -1;
+    }
+
+    /** A slider was let go: the run goes on with another stage, or from where the atoms are, or anew. */
     async change(key, value) {
-        const controls = { ...this.controls, [key]: value, equilibration: 500 };
+        const before = this.controls;
+        const controls = { ...before, [key]: value, equilibration: 500 };
         if (key === "density" && controls.film) controls.film = false;
-        this.setControls(controls);
-        if (key === "cells" || this.run?.kind !== "fluid" || controls.film) {
-            await this.open(fluidDeck(controls, false), { shown: this.shown });
-            return;
+        try {
+            this.setControls(controls);
+            if (key === "cells" || this.run?.kind !== "fluid" || controls.film) await this.open(fluidDeck(controls, false), { shown: this.shown });
+            else if (["temperature", "timeStep", "held"].includes(key) && this.canGoOn()) await this.goOn(controls, key);
+            else await this.goFromHere(controls, key);
+        } catch (error) {
+            this.setControls(before);
+            throw error;
         }
+    }
+
+    /** Whether the run can be told as one deck from its crystal on, and computed again in a few seconds. */
+    canGoOn() {
+        const work = this.state.step * this.run.atoms;
+        return this.start === null && !this.controls.film && this.past !== undefined && this.past.length < MOST_STAGES && work < MOST_WORK;
+    }
+
+    /** The same run with another stage from now on: it is computed again up to here, and time goes on. */
+    async goOn(controls, key) {
+        this.transport.pause();
+        await this.client.call("version");      // what the Worker had under way has come
+        const { step } = this.state;
+        const { rows } = this.known;
+        let left = step;
+        const past = this.run.stages.map((stage, place) => {
+            const steps = Math.min(stage.steps, left);
+            left -= steps;
+            return { ...this.past[place], steps };
+        }).filter((stage) => stage.steps > 0);
+        await this.open(fluidDeck({ ...controls, equilibration: key === "temperature" && controls.held ? 500 : 0 }, false, past), { shown: this.shown, playing: false });
+        await this.compute(step);
+        this.known.rows = rows;     // of which some are kept, and these are computed again
+        this.transport.play();
+    }
+
+    /** A run that begins with the atoms as they are. */
+    async goFromHere(controls, key) {
         const start = await this.client.call("configuration");
         if (["timeStep", "held"].includes(key)) controls.equilibration = 0;
         await this.open(fluidDeck({ ...controls, atoms: this.run.atoms, cells: this.cellsOf(this.run.atoms) }, true), { start, shown: this.shown });
@@ -239,36 +275,28 @@ export class Page {
         const { step } = this.state;
         if (!isReversible) {
             const start = await this.client.call("configuration");
-            await this.open(reversalDeck(atoms, true, 100000), { start, about: "about reversal" });
+            this.setControls({ ...this.controls, held: false });
+            await this.open(reversalDeck(atoms, true, 100000), { start, about: "about reversible" });
             return;
         }
         if (step === 0 || step > this.run.stages[0].steps) return;
-        const timeStep = this.run.stages[0].time_step;
-        const flip = this.flip.checked ? (step + Math.ceil(step / 20)) * timeStep : -1;
+        this.transport.pause();
+        const flip = this.flipAfter(step, this.run.stages[0].time_step);
         await this.open(reversalDeck(atoms, this.start !== null, step), { start: this.start, shown: this.shown, about: "about reversal", flip, playing: false });
         await this.compute(step);
         this.transport.play();
     }
 
-    /** Shows a picture as soon as the one before is drawn; the next one is computed while this one is. */
+    /** Pictures come in their order, and so states are taken. */
     show(frame) {
-        const now = () => {
-            if (frame.serial !== this.run.serial) return;
-            if (!document.hidden && this.viewer.busy) {
-                setTimeout(now, 2);
-                return;
-            }
-            this.client.command("drawn");
-            this.take(frame);
-            if (!document.hidden) this.viewer.show(frame);
-            this.transport.count(frame.steps);
-            if (frame.finished && this.transport.playing) {
-                this.transport.pause();
-                this.guard(() => this.end());
-            }
-        };
-        if (document.hidden) now();     // nothing is drawn in the background, and the run goes on
-        else requestAnimationFrame(now);
+        if (frame.serial !== this.run.serial) return;   // of a run that is gone
+        this.take(frame);
+        this.transport.count(frame.steps);
+        if (frame.finished && this.transport.playing) {
+            this.transport.pause();
+            this.guard(() => this.end());
+        }
+        this.picture.show(frame);
     }
 
     take(state) {
@@ -287,16 +315,18 @@ export class Page {
         this.transport.showRate();
         if (!this.run || this.looking || !this.state) return;
         this.looking = true;
+        const { serial } = this.run;
         try {
             if (this.lookedAt === this.state) return;
             this.lookedAt = this.state;
             const { results, tables } = await this.client.call("result");
+            if (serial !== this.run.serial) return;
             this.known.results = results;
             this.known.tables = tables;
             if (this.run.kind === "fluid") {
                 this.known.speeds = await this.client.call("speeds");
                 const temperature = results.observables?.temperature?.mean;
-                const equation = temperature > 0 && this.isFull() && this.phase !== "solid" && this.phase !== "two phases" ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
+                const equation = temperature > 0 && this.isFull() && !NOT_FLUID.includes(this.phase) ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
                 this.numbers.update(results, equation, this.controls);
             }
             if (this.transport.playing) {
@@ -305,7 +335,10 @@ export class Page {
             } else {
                 this.charts.update(this.known);
             }
-            if (!this.transport.playing && !(this.flipped >= 0)) this.texts.check(this.run.stages, this.state.step, await this.client.call("checksum"));
+            if (!this.transport.playing && !(this.flipped >= 0)) {
+                const { step, checksum } = await this.client.call("checksum");
+                if (serial === this.run.serial) this.texts.check(this.run.stages, step, checksum);
+            }
         } catch (error) {
             if (error.kind === undefined) throw error;  // a run that has failed has no results; it was told why
         } finally {
@@ -346,12 +379,9 @@ export class Page {
     guard(act) {
         this.opening = this.opening.then(act).catch((error) => {
             if (error.kind === undefined) throw error;
-            this.transport.pause();
-            if (error.kind === "physics") {
-                this.stop(error);
-                return;
-            }
-            this.texts.complain(error.message);
+            if (error.kind === "physics") this.stop(error);
+            else if (act === this.ofText) this.texts.complain(error.message);
+            else this.complain(word("mistakes"), error.message);
         });
         return this.opening;
     }

@@ -35,7 +35,7 @@ export class Texts {
 
     complain(message) {
         this.messages.hidden = false;
-        this.messages.textContent = message;
+        this.messages.textContent = message.replaceAll("--force runs it as it is", word("force words"));
         this.messages.scrollIntoView({ block: "nearest" });
     }
 
@@ -50,7 +50,8 @@ export class Texts {
         this.saveStart.hidden = start === null;
         this.link.disabled = start !== null;
         this.link.title = start === null ? "" : word("link kept");
-        this.checkWords.textContent = this.checksum.textContent = "";
+        this.checkWords.textContent = start === null ? "" : word("link kept");
+        this.checksum.textContent = this.digits.textContent = "";
     }
 
     /** The command that runs as far as the page has come, and the checksum of there. */

@@ -56,7 +56,7 @@ export class Transport {
 
     setPace() {
         const steps = PACES[Number(this.pace.value)];
-        this.words.textContent = word("steps a picture", { steps: steps === 0 ? word("full speed") : steps });
+        this.words.textContent = steps === 0 ? word("full speed") : word(steps === 1 ? "one step a picture" : "steps a picture", { steps });
         this.pace.setAttribute("aria-valuetext", this.words.textContent);
         this.client.command("pace", { steps });
     }

@@ -102,9 +102,9 @@ onmessage = async ({ data }) => {
     }
     const { id, request } = data;
     try {
-        if (request.call === "open") playing = false;
         let value = request.call === "advance" ? advance(request.steps) : engine.call(request);
         if (request.call === "open") {
+            playing = false;
             serial += 1;
             run = value = { ...value, serial };
             fast = 10;
@@ -112,7 +112,7 @@ onmessage = async ({ data }) => {
             untold = null;
         }
         postMessage({ id, value });
-        if (request.call === "advance" && request.shown) postMessage(...pictureNow({ ...value, playing: false }));
+        if (request.call === "advance" && request.shown) postMessage(...pictureNow({ ...value, rows: [], playing: false }));
     } catch (error) {
         postMessage({ id, failure: failureOf(error) });
     }
