@@ -4,9 +4,9 @@
 
 #include <mutex>
 
+#include "fourier_lengths.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/memory_at_hand.hpp"
-#include "fourier_lengths.hpp"
 
 namespace ljmd {
 
