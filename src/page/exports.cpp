@@ -1,5 +1,3 @@
-#include <emscripten/emscripten.h>
-
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -121,25 +119,26 @@ Data answer(std::string_view request) {
 
 }  // namespace
 
+// What is "used" Emscripten exports.
 extern "C" {
 
 /// The answer to a request, valid until the next call.
-EMSCRIPTEN_KEEPALIVE const char* ljmd_call(const char* request) {
+[[gnu::used]] const char* ljmd_call(const char* request) {
     static std::string text;
     text = to_json_line(answer(request));
     return text.c_str();
 }
 
 /// Brings what is drawn up to date.
-EMSCRIPTEN_KEEPALIVE void ljmd_draw() {
+[[gnu::used]] void ljmd_draw() {
     run->draw();
 }
 
-EMSCRIPTEN_KEEPALIVE const std::uint16_t* ljmd_positions() {
+[[gnu::used]] const std::uint16_t* ljmd_positions() {
     return run->drawn_positions().data();
 }
 
-EMSCRIPTEN_KEEPALIVE const std::uint8_t* ljmd_speeds() {
+[[gnu::used]] const std::uint8_t* ljmd_speeds() {
     return run->drawn_speeds().data();
 }
 }

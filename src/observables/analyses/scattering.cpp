@@ -61,7 +61,8 @@ struct ScatteringOptions : AnalysisOptions {
         const Index frames = run.steps / times.every + 1;
         const Index between = std::max((times.count + origins - 1) / origins, Index{1});
         const Index added = std::max((frames - times.count) / between, Index{0});
-        const auto open = static_cast<double>((std::min(frames, times.count) + between - 1) / between);
+        const Index open_origins = (std::min(frames, times.count) + between - 1) / between;
+        const auto open = static_cast<double>(open_origins);
         const auto all_vectors = static_cast<double>(shells * vectors);
         const double phases = 16.0 * all_vectors * static_cast<double>(run.atoms);
         return {

@@ -43,7 +43,8 @@ struct VanHoveOptions : AnalysisOptions {
         const Index frames = run.steps / of_run.every + 1;
         const Index between = std::max((of_run.count + origins - 1) / origins, Index{1});
         const Index added = std::max((frames - of_run.count) / between, Index{0});
-        const auto kept = static_cast<double>((std::min(frames, of_run.count) + between - 1) / between);
+        const Index open = (std::min(frames, of_run.count) + between - 1) / between;
+        const auto kept = static_cast<double>(open);
         const double positions = 24.0 * static_cast<double>(run.atoms);
         const double counted = 8.0 * static_cast<double>(bins * times);
         return {.kept = kept * (positions + 8.0 * static_cast<double>(of_run.count) + 0.5 * counted) +

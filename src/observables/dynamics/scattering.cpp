@@ -33,6 +33,7 @@ Index width_of(const std::vector<WaveShell>& shells, Index times) {
 std::vector<CorrelationWindows> windows(const std::vector<WaveShell>& shells, Index of_vector, Index lags,
                                         Index window) {
     std::vector<CorrelationWindows> all;
+    all.reserve(shells.size());
     for (const WaveShell& shell : shells) {
         all.emplace_back(of_vector * static_cast<Index>(shell.vectors.size()), lags, window);
     }
