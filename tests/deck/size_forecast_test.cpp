@@ -11,6 +11,7 @@ namespace {
 const std::string all_analyses_table = every_analysis({{"rdf", "{ every = 2 }"},
                                                        {"structure_factor", "{ every = 2 }"},
                                                        {"msd", "{ every = 1, origins = 5 }"},
+                                                       {"van_hove_distinct", "{ every = 1, between = 0.2 }"},
                                                        {"chemical_potential", "{ every = 2, insertions = 10 }"}});
 
 SizeForecast size_of(const std::vector<std::string>& settings) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/observables/transport/mean_square_displacement.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 namespace ljmd {
 
@@ -46,7 +47,7 @@ struct MsdOptions : AnalysisOptions {
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         const LagTimes times = times_of(run);
         const Index frames = run.steps / times.every + 1;
-        const Index between = std::max((times.count + origins - 1) / origins, Index{1});
+        const Index between = frames_between_origins(times, origins);
         const Index whole_origins = (std::min(frames, times.count) + between - 1) / between;
         const auto kept = static_cast<double>(whole_origins);
         const double positions = 24.0 * static_cast<double>(run.atoms);

@@ -1,4 +1,5 @@
 #include "ljmd/observables/dynamics/scattering.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,7 @@ struct ScatteringOptions : AnalysisOptions {
         const LagTimes times = lags.times(run);
         const Index window = correlation_window(times, run);
         const Index frames = run.steps / times.every + 1;
-        const Index between = std::max((times.count + origins - 1) / origins, Index{1});
+        const Index between = frames_between_origins(times, origins);
         const Index added = std::max((frames - times.count) / between, Index{0});
         const Index open_origins = (std::min(frames, times.count) + between - 1) / between;
         const auto open = static_cast<double>(open_origins);

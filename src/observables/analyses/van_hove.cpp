@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/observables/dynamics/self_van_hove.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 namespace ljmd {
 
@@ -41,7 +42,7 @@ struct VanHoveOptions : AnalysisOptions {
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         const LagTimes of_run = lags.times(run);
         const Index frames = run.steps / of_run.every + 1;
-        const Index between = std::max((of_run.count + origins - 1) / origins, Index{1});
+        const Index between = frames_between_origins(of_run, origins);
         const Index added = std::max((frames - of_run.count) / between, Index{0});
         const Index open = (std::min(frames, of_run.count) + between - 1) / between;
         const auto kept = static_cast<double>(open);

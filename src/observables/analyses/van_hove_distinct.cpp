@@ -55,7 +55,8 @@ struct VanHoveDistinctOptions : AnalysisOptions {
         const LagTimes times = lags.times(run);
         const double positions = 24.0 * static_cast<double>(run.atoms);
         const Index width = bins * (times.count + 1);
-        const Index origins = run.steps / times.every / between_of(times) + 1;
+        const Index frames = run.steps / times.every;
+        const Index origins = frames > times.count ? (frames - times.count - 1) / between_of(times) + 1 : 0;
         return {.kept = positions + 8.0 * static_cast<double>(width) +
                         BlockingAccumulator::bytes(width, Covariance::diagonal, origins),
                 .passing = positions};

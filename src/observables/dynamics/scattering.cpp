@@ -10,6 +10,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 namespace ljmd {
 
@@ -60,7 +61,7 @@ Scattering::Scattering(Index atoms, std::vector<WaveShell> shells, const LagTime
       vectors_(joined(shells_)),
       lags_(lags),
       every_(lags.every),
-      frames_between_origins_(std::max((lags.count + origins - 1) / origins, Index{1})),
+      frames_between_origins_(frames_between_origins(lags, origins)),
       cosines_(lags.count + 1),
       densities_(windows(shells_, 2, lags.count, window)),
       longitudinal_(windows(shells_, 2, lags.count, window)),
@@ -68,7 +69,7 @@ Scattering::Scattering(Index atoms, std::vector<WaveShell> shells, const LagTime
       means_(functions * width_of(shells_, lags.count + 1), Covariance::diagonal),
       self_(width_of(shells_, lags.count + 1), Covariance::diagonal) {}
 
-/// By products of exp(-2 pi i x/L) of each coordinate, of which few are needed.
+/// Each is a product of three powers of exp(-2 pi i x/L), one for each coordinate.
 Scattering::Phases Scattering::phases_of(const Eigen::Matrix3Xd& positions, const Vec3& edges,
                                          const Execution& execution) const {
     std::array<Eigen::MatrixXd, 3> powers;  // columns 2 n and 2 n + 1: real and imaginary part of the n-th power
@@ -270,19 +271,13 @@ void Scattering::archive(Archive& a) {
     a(origins_, means_, self_);
     require_count(samples_);
     require_count(frames_);
-    // Incomplete origins are at frames n b with 0 < age = frames - n b <= lags, b = frames_between_origins_.
-    Index age = frames_ == 0 ? 0 : (frames_ - 1) % frames_between_origins_ + 1;
-    const auto vectors = static_cast<Index>(vectors_.size());
-    for (auto origin = origins_.rbegin(); origin != origins_.rend(); ++origin, age += frames_between_origins_) {
-        if (age < 1 || origin->phases.rows() != atoms_ || origin->phases.cols() != 2 * vectors ||
-            origin->found.rows() != static_cast<Index>(shells_.size()) || origin->found.cols() != age ||
-            age > std::min(frames_, lags_.count)) {
-            throw CheckpointError("its time origins are not those of this scattering");
-        }
-    }
-    if (age <= std::min(frames_, lags_.count) && age > 0) {
-        throw CheckpointError("it lacks time origins of this scattering");
-    }
+    require_origins(
+        origins_, frames_, frames_between_origins_, lags_.count,
+        [&](const Origin& origin, Index age) {
+            return origin.phases.rows() == atoms_ && origin.phases.cols() == 2 * static_cast<Index>(vectors_.size()) &&
+                   origin.found.rows() == static_cast<Index>(shells_.size()) && origin.found.cols() == age;
+        },
+        "this scattering");
 }
 
 }  // namespace ljmd

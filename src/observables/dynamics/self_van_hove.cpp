@@ -10,6 +10,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 namespace ljmd {
 
@@ -17,7 +18,7 @@ SelfVanHove::SelfVanHove(Index atoms, const LagTimes& lags, Index origins, const
     : atoms_(atoms),
       lags_(lags),
       every_(lags.every),
-      frames_between_origins_(std::max((lags.count + origins - 1) / origins, Index{1})),
+      frames_between_origins_(frames_between_origins(lags, origins)),
       bins_(bins),
       moments_(static_cast<std::size_t>(lags.count), BlockingAccumulator(2, Covariance::full)),
       histograms_(bins.bins * bins.times, Covariance::diagonal) {
@@ -122,22 +123,18 @@ void SelfVanHove::archive(Archive& a) {
     }
     require_count(samples_);
     require_count(frames_);
-    // Origins are at frames n b, b = frames_between_origins_; one of age a has a - 1 < lags displacements.
-    Index age = frames_ == 0 ? 0 : (frames_ - 1) % frames_between_origins_ + 1;
-    for (auto origin = origins_.rbegin(); origin != origins_.rend(); ++origin, age += frames_between_origins_) {
-        Index counted = 0;
-        while (counted < bins_.times && lag_of(counted) <= age - 1) {
-            ++counted;
-        }
-        if (age < 1 || origin->positions.cols() != atoms_ || origin->moments.cols() != age - 1 ||
-            origin->histogram.rows() != bins_.bins || origin->histogram.cols() != counted ||
-            age > std::min(frames_, lags_.count)) {
-            throw CheckpointError("its time origins are not those of this distribution of displacements");
-        }
-    }
-    if (age <= std::min(frames_, lags_.count) && age > 0) {
-        throw CheckpointError("it lacks time origins of this distribution of displacements");
-    }
+    // One of age a has a - 1 displacements.
+    require_origins(
+        origins_, frames_, frames_between_origins_, lags_.count,
+        [&](const Origin& origin, Index age) {
+            Index counted = 0;
+            while (counted < bins_.times && lag_of(counted) <= age - 1) {
+                ++counted;
+            }
+            return origin.positions.cols() == atoms_ && origin.moments.cols() == age - 1 &&
+                   origin.histogram.rows() == bins_.bins && origin.histogram.cols() == counted;
+        },
+        "this distribution of displacements");
 }
 
 }  // namespace ljmd

@@ -135,8 +135,22 @@ Index BlockingAccumulator::products(Index width, Covariance covariance) {
 }
 
 double BlockingAccumulator::bytes(Index width, Covariance covariance, Index samples) {
-    const auto levels = std::bit_width(static_cast<std::uint64_t>(std::max<Index>(samples, 0)));
-    return 8.0 * static_cast<double>(levels) * static_cast<double>(2 * width + products(width, covariance));
+    const auto all = static_cast<std::uint64_t>(std::max<Index>(samples, 0));
+    const double numbers = static_cast<double>(width + products(width, covariance));
+    // A block waits at each level whose number of blocks is odd: at the binary digits of the number of samples that
+    // are 1.
+    const auto kept = [&](std::uint64_t n) {
+        return static_cast<double>(std::bit_width(n)) * numbers +
+               static_cast<double>(std::popcount(n)) * static_cast<double>(width);
+    };
+    // Most of them do at a number below, which has a digit less and then only ones.
+    double most = kept(all);
+    for (int digit = 0; digit < static_cast<int>(std::bit_width(all)); ++digit) {
+        if (const std::uint64_t one = std::uint64_t{1} << digit; (all & one) != 0) {
+            most = std::max(most, kept((all & ~one) | (one - 1)));
+        }
+    }
+    return 8.0 * most;
 }
 
 Index BlockingAccumulator::diagonal(Index component) const {

@@ -11,6 +11,7 @@
 #include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/overlapping_origins.hpp"
+#include "ljmd/observables/transport/time_origins.hpp"
 
 namespace ljmd {
 
@@ -49,7 +50,7 @@ MeanSquareDisplacement::MeanSquareDisplacement(Index atoms, const LagTimes& lags
     : atoms_(atoms),
       lags_(lags),
       every_(lags.every),
-      frames_between_origins_(std::max((lags.count + origins - 1) / origins, Index{1})),
+      frames_between_origins_(frames_between_origins(lags, origins)),
       slope_(slope_weights(lags, fit_start)),
       means_(lags.count + 2, Covariance::diagonal) {}
 
@@ -107,17 +108,12 @@ void MeanSquareDisplacement::archive(Archive& a) {
     a(samples_, frames_, origins_, means_);
     require_count(samples_);
     require_count(frames_);
-    // Incomplete origins are at frames n b with 0 < age = frames - n b <= lags, b = frames_between_origins_.
-    Index age = frames_ == 0 ? 0 : (frames_ - 1) % frames_between_origins_ + 1;
-    for (auto origin = origins_.rbegin(); origin != origins_.rend(); ++origin, age += frames_between_origins_) {
-        if (age < 1 || origin->positions.cols() != atoms_ || origin->found.size() != age ||
-            age > std::min(frames_, lags_.count)) {
-            throw CheckpointError("its time origins are not those of this displacement");
-        }
-    }
-    if (age <= std::min(frames_, lags_.count) && age > 0) {
-        throw CheckpointError("it lacks time origins of this displacement");
-    }
+    require_origins(
+        origins_, frames_, frames_between_origins_, lags_.count,
+        [&](const Origin& origin, Index age) {
+            return origin.positions.cols() == atoms_ && origin.found.size() == age;
+        },
+        "this displacement");
 }
 
 }  // namespace ljmd

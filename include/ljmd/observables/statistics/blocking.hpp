@@ -75,7 +75,7 @@ class BlockingAccumulator {
     /// Add the next sample of the series. @throws InputError unless it has `width` components
     void add(const Eigen::VectorXd& sample);
 
-    /// Memory of the averages of `samples` samples, also in a checkpoint [bytes].
+    /// Memory of the averages of `samples` samples, also in a checkpoint: the largest on the way to them [bytes].
     [[nodiscard]] static double bytes(Index width, Covariance covariance, Index samples);
 
     [[nodiscard]] Index width() const { return width_; }
