@@ -1,7 +1,6 @@
 # In place of LjmdDependencies where the engine is compiled for a page: what tools/page-root has put together.
 enable_language(C)
 set(ljmd_page_root ${PROJECT_SOURCE_DIR}/build/page-root CACHE PATH "What tools/page-root has made")
-set(THREADS_PREFER_PTHREAD_FLAG OFF)
 add_library(Threads::Threads INTERFACE IMPORTED)
 
 # ljmd_page_headers(<target> <definition>...): a library of headers alone.
