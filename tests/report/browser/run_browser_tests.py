@@ -107,11 +107,14 @@ def install(work: Path) -> Path:
 def check_bundle(work: Path) -> int:
     """Builds the bundle again and compares it, byte by byte, with what is committed."""
     home = install(work)
-    for name in ("source", "style"):
-        shutil.rmtree(home / name, ignore_errors=True)
-        shutil.copytree(WEB / name, home / name)
-    for name in ("build.mjs", "index.html"):
-        shutil.copy(WEB / name, home)
+    for path in sorted(WEB.iterdir()):  # all that is there, so that a new source is not forgotten
+        if path.name in ("node_modules", "dist"):
+            continue
+        if path.is_dir():
+            shutil.rmtree(home / path.name, ignore_errors=True)
+            shutil.copytree(path, home / path.name)
+        else:
+            shutil.copy(path, home)
     built = home / "built"
     shutil.rmtree(built, ignore_errors=True)
     subprocess.run([tool("node", "nodejs"), "build.mjs", str(built)], cwd=home, check=True, timeout=waiting.PATIENCE)
