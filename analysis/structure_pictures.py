@@ -69,13 +69,17 @@ def displacement(run: FluidRun, table: Table) -> plt.Figure:
     figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
     time, msd = table["time"], table["msd"]
     draw_band(axes, time, msd, table["msd_standard_error"], style.BLUE, "mean-square displacement")
+    is_long = style.time_axis(axes, time)
+    if is_long:
+        axes.set_yscale("log", nonpositive="mask")
+    else:
+        axes.set_ylim(bottom=0.0)
     diffusion = run.observables.get("diffusion")
     if diffusion is not None and math.isfinite(diffusion.mean):
-        line = msd[-1] + 6.0 * diffusion.mean * (time - time[-1])  # through the last point
+        # Through the last point; at long times, where both axes are logarithmic, through the origin.
+        line = 6.0 * diffusion.mean * time if is_long else msd[-1] + 6.0 * diffusion.mean * (time - time[-1])
         label = caption(run, "diffusion", r"slope $6D$, $D$", r"$\sigma^2/\tau$")
         axes.plot(time[line > 0.0], line[line > 0.0], color=style.ORANGE, linewidth=1.0, linestyle="--", label=label)
-    axes.set_xlim(0.0, time[-1])
-    axes.set_ylim(bottom=0.0)
     axes.set_xlabel(style.LABELS["time"])
     axes.set_ylabel(r"$\langle |r(t) - r(0)|^2 \rangle$ / $\sigma^2$")
     axes.legend(loc="upper left")
@@ -91,7 +95,7 @@ def integral_pair(run: FluidRun, time: np.ndarray, above: tuple[np.ndarray, np.n
         draw_band(axes, time, values, error, colour, label if axes is lower else "")
         axes.set_ylabel(name)
     lower.legend(loc="lower right")
-    lower.set_xlim(0.0, time[-1])
+    style.time_axis(lower, time)
     lower.set_xlabel(style.LABELS["time"])
     figure.align_ylabels([upper, lower])
     return finish(figure, run)
@@ -209,6 +213,7 @@ PICTURES = {
                                   heat_flux_autocorrelation),
     **time_pictures.PICTURES,
 }
+ENDING = ("diffusion",)   # an integral up to the last time that is measured one by one; correlations go on to long times
 
 
 def repeats(first: str, others: tuple[str, ...]) -> bool:
@@ -229,14 +234,14 @@ def has_values(path: Path, table: Table, names: Sequence[str]) -> bool:
     """Whether the columns `names` of a table have a number in every row. One without any is of a quantity that has no value
     in this run (g(r) of a single atom, viscosity at zero temperature): there is nothing to draw then, which is said.
 
-    Raises DataError for a column with some numbers.
+    Raises DataError for a column with some numbers, but for those that may end before the others.
     """
     for name in names:
         gaps = np.flatnonzero(~np.isfinite(table[name]))
         if gaps.size == table[name].size:
             print(f"{path}: '{name}' has no value in this run, no picture of it", file=sys.stderr)
             return False
-        if gaps.size:
+        if gaps.size and not (name in ENDING and gaps[0] + gaps.size == table[name].size):
             raise damaged(path, f"line {gaps[0] + 2}: column '{name}' has no number")
     return True
 

@@ -12,6 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import fonts  # noqa: E402  (the backend must be chosen first)
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 from ljmd import _output  # noqa: E402
 from ljmd.errors import FileError  # noqa: E402
 from plain_text import lines, plain  # noqa: E402
@@ -75,6 +76,19 @@ def use() -> None:
 def colour(k: int) -> str:
     """The colour of the k-th of several like things, from 0."""
     return CYCLE[k % len(CYCLE)]
+
+
+def time_axis(axes: plt.Axes, time: np.ndarray) -> bool:
+    """The axis of the times of a correlation function: logarithmic where they go on to long ones, ever further apart. @return whether it is"""
+    steps = np.diff(time)
+    forward = steps[steps > 0.0]
+    is_long = forward.size > 1 and bool(np.any(forward > 1.5 * forward[0]))
+    if is_long:
+        axes.set_xscale("log")
+        axes.set_xlim(float(time[time > 0.0].min()), float(time.max()))
+    else:
+        axes.set_xlim(0.0, float(time.max()))
+    return is_long
 
 
 def head(figure: plt.Figure, title: str, note: str = "") -> None:

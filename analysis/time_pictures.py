@@ -41,7 +41,7 @@ def grouped(run: FluidRun, table: Table, *, group: str, x: str, names: tuple[str
             axes.fill_between(at, y - error, y + error, color=style.colour(k), alpha=0.3, linewidth=0)
             axes.plot(at, y, color=style.colour(k), linewidth=1.2, label=f"{value:.3g}")
         axes.set_ylabel(label)
-        axes.set_xlim(0.0, float(table[x].max()))
+        style.time_axis(axes, table[x])
     grid.flat[0].legend(title=of, loc="upper right", fontsize=8)
     grid.flat[-1].set_xlabel(along)
     style.head(figure, run.title)

@@ -23,16 +23,39 @@ std::string file_of(const RunFacts& facts, const std::string& name) {
     return "";
 }
 
+/// Whether the times of a table are ever further apart, as those of long times are.
+bool goes_to_long_times(const PageTable& table, const std::string& column) {
+    const auto found = std::ranges::find(table.columns, column, &PageColumn::name);
+    if (column != "time" || found == table.columns.end()) {
+        return false;
+    }
+    const Data::List& times = table.values[static_cast<std::size_t>(found - table.columns.begin())];
+    double spacing = 0.0;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        if (!times[i - 1].is_number() || !times[i].is_number()) {
+            return false;
+        }
+        const double step = times[i].number() - times[i - 1].number();
+        if (step > 0.0 && spacing > 0.0 && step > 1.5 * spacing) {
+            return true;
+        }
+        spacing = spacing == 0.0 ? step : spacing;
+    }
+    return false;
+}
+
 Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     const std::string error = fmt::format("{}_standard_error", drawn.y);
     const bool has_error = table.has_column(error);
     const std::string caption = drawn.caption;
+    const bool is_long = goes_to_long_times(table, drawn.x);
+    const bool is_logarithmic = drawn.logarithmic || (is_long && drawn.is_power_of_time);
     Chart chart{.id = fmt::format("{}-{}", drawn.file, drawn.y),
                 .title = drawn.title,
                 .caption = caption.empty() && has_error ? "The band is one standard error on either side." : caption,
                 .lead = drawn.lead,
-                .x = {axis_label(drawn.x)},
-                .y = {axis_label(drawn.y), drawn.logarithmic ? "log" : "linear"}};
+                .x = {axis_label(drawn.x), is_long ? "log" : "linear"},
+                .y = {axis_label(drawn.y), is_logarithmic ? "log" : "linear"}};
     if (drawn.level) {
         chart.marks.push_back({.type = "rule-y", .label = drawn.level_label, .value = drawn.level, .colour = 7});
     }

@@ -122,8 +122,9 @@ struct AnalysisChart {
     const char* level_label = "";
     const char* expected = "";  ///< column of what y is expected to be, drawn as a line below dots; none
     const char* expected_label = "";
-    bool logarithmic = false;  ///< the axis of y
-    const char* group = "";    ///< column whose values each are a line of their own
+    bool logarithmic = false;       ///< the axis of y
+    bool is_power_of_time = false;  ///< where times go on to long ones, the axis of y is logarithmic as theirs is
+    const char* group = "";         ///< column whose values each are a line of their own
 };
 
 /// An analysis, as [analysis] selects it. Each is one file in src/observables/analyses.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "ljmd/observables/transport/long_times.hpp"
 #include "ljmd/observables/transport/mean_square_displacement.hpp"
 #include "ljmd/observables/transport/time_origins.hpp"
 
@@ -14,6 +15,7 @@ struct MsdOptions : AnalysisOptions {
     LagOptions lags{usual_msd_lags};
     Index origins = 50;
     std::optional<double> fit_start = {};
+    LongTimeOption long_times;
 
     void describe(Description& description) override {
         lags.describe(description);
@@ -27,6 +29,7 @@ struct MsdOptions : AnalysisOptions {
             .at_least(0.0)
             .optional(fmt::format("{} of `max_time`", default_fit_start))
             .meaning("diffusion is the slope from this time to `max_time`");
+        long_times.describe(description);
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         Misfits misfits = lags.check(run, "msd");
@@ -37,24 +40,29 @@ struct MsdOptions : AnalysisOptions {
                                                           "times, so it can be at most {:.6g}",
                                                           *fit_start, last_start));
         }
+        long_times.check(times, run, "msd", misfits);
         return misfits;
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
-        const LagTimes times = times_of(run);
-        return std::make_unique<MeanSquareDisplacement>(
-            run.atoms, times, origins, fit_start.value_or(default_fit_start * times.time(times.count)));
+        const LagTimes first = times_of(run);
+        return with_long_times(long_times, first, [&](const LagTimes& times) {
+            const double start =
+                times.every == first.every ? fit_start.value_or(default_fit_start * times.time(times.count)) : 0.0;
+            return std::make_unique<MeanSquareDisplacement>(run.atoms, times, origins, start);
+        });
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
-        const LagTimes times = times_of(run);
-        const Index frames = run.steps / times.every + 1;
-        const Index between = frames_between_origins(times, origins);
-        const Index whole_origins = (std::min(frames, times.count) + between - 1) / between;
-        const auto kept = static_cast<double>(whole_origins);
-        const double positions = 24.0 * static_cast<double>(run.atoms);
-        return {
-            .kept = kept * (positions + 4.0 * static_cast<double>(times.count)) +
-                    BlockingAccumulator::bytes(times.count + 2, Covariance::diagonal, (frames - times.count) / between),
-            .passing = positions};
+        return with_long_times_size(long_times, times_of(run), [&](const LagTimes& times) -> AnalysisSize {
+            const Index frames = run.steps / times.every + 1;
+            const Index between = frames_between_origins(times, origins);
+            const Index whole_origins = (std::min(frames, times.count) + between - 1) / between;
+            const auto kept = static_cast<double>(whole_origins);
+            const double positions = 24.0 * static_cast<double>(run.atoms);
+            const Index added = std::max((frames - times.count) / between, Index{0});
+            return {.kept = kept * (positions + 4.0 * static_cast<double>(times.count)) +
+                            BlockingAccumulator::bytes(times.count + 2, Covariance::diagonal, added),
+                    .passing = positions};
+        });
     }
 
   private:
@@ -69,16 +77,18 @@ struct MsdOptions : AnalysisOptions {
 
 /// Mean-square displacement, see mean_square_displacement.hpp.
 AnalysisMethod msd() {
-    return {.name = "msd",
-            .meaning = "mean-square displacement and diffusion by Einstein's relation, written to msd.csv",
-            .files = {"msd"},
-            .follows_time = true,
-            .needs = {.unwrapped_positions = true},
-            .quantities = {{"msd", "<dr^2>", "sigma^2"},
-                           {"diffusion", "D", "sigma^2/tau"},
-                           {"diffusion_infinite_system", "D_inf", "sigma^2/tau"}},
-            .charts = {{.file = "msd", .x = "time", .y = "msd", .title = "Mean-square displacement"}},
-            .options = [] { return std::make_unique<MsdOptions>(); }};
+    return {
+        .name = "msd",
+        .meaning = "mean-square displacement and diffusion by Einstein's relation, written to msd.csv",
+        .files = {"msd"},
+        .follows_time = true,
+        .needs = {.unwrapped_positions = true},
+        .quantities = {{"msd", "<dr^2>", "sigma^2"},
+                       {"diffusion", "D", "sigma^2/tau"},
+                       {"diffusion_infinite_system", "D_inf", "sigma^2/tau"}},
+        .charts =
+            {{.file = "msd", .x = "time", .y = "msd", .title = "Mean-square displacement", .is_power_of_time = true}},
+        .options = [] { return std::make_unique<MsdOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -1,4 +1,5 @@
 #include "ljmd/observables/dynamics/scattering.hpp"
+#include "ljmd/observables/transport/long_times.hpp"
 #include "ljmd/observables/transport/time_origins.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ struct ScatteringOptions : AnalysisOptions {
     double k_max = 7.0;
     Index shells = 7;
     Index vectors = 3;
+    LongTimeOption long_times;
     Index origins = 4;  // more cost memory traffic, and add little: the average is over all atoms, too
 
     void describe(Description& description) override {
@@ -39,6 +41,7 @@ struct ScatteringOptions : AnalysisOptions {
             .at_least(1)
             .at_most(100000)
             .meaning("time origins of F_s within `max_time`; each takes 16 bytes an atom and wave vector");
+        long_times.describe(description);
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         Misfits misfits = lags.check(run, "scattering");
@@ -49,28 +52,31 @@ struct ScatteringOptions : AnalysisOptions {
                                              "{:.6g}",
                                              k_max, k_min.value_or(least)));
         }
+        long_times.check(lags.times(run), run, "scattering", misfits);
         return misfits;
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
-        const LagTimes times = lags.times(run);
-        return std::make_unique<Scattering>(run.atoms, shells_in(run.box), times, correlation_window(times, run),
-                                            origins);
+        return with_long_times(long_times, lags.times(run), [&](const LagTimes& times) {
+            return std::make_unique<Scattering>(run.atoms, shells_in(run.box), times, correlation_window(times, run),
+                                                origins);
+        });
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
-        const LagTimes times = lags.times(run);
-        const Index window = correlation_window(times, run);
-        const Index frames = run.steps / times.every + 1;
-        const Index between = frames_between_origins(times, origins);
-        const Index added = std::max((frames - times.count) / between, Index{0});
-        const Index open_origins = (std::min(frames, times.count) + between - 1) / between;
-        const auto open = static_cast<double>(open_origins);
-        const auto all_vectors = static_cast<double>(shells * vectors);
-        const double phases = 16.0 * all_vectors * static_cast<double>(run.atoms);
-        return {
-            .kept = open * phases + 64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
-                    BlockingAccumulator::bytes(4 * shells * (times.count + 1), Covariance::diagonal, frames / window) +
-                    BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added),
-            .passing = phases};
+        return with_long_times_size(long_times, lags.times(run), [&](const LagTimes& times) -> AnalysisSize {
+            const Index window = correlation_window(times, run);
+            const Index frames = run.steps / times.every + 1;
+            const Index between = frames_between_origins(times, origins);
+            const Index added = std::max((frames - times.count) / between, Index{0});
+            const Index open_origins = (std::min(frames, times.count) + between - 1) / between;
+            const auto open = static_cast<double>(open_origins);
+            const auto all_vectors = static_cast<double>(shells * vectors);
+            const double phases = 16.0 * all_vectors * static_cast<double>(run.atoms);
+            return {.kept = open * phases + 64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
+                            BlockingAccumulator::bytes(4 * shells * (times.count + 1), Covariance::diagonal,
+                                                       frames / window) +
+                            BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added),
+                    .passing = phases};
+        });
     }
 
   private:

@@ -1,3 +1,4 @@
+#include "ljmd/observables/transport/long_times.hpp"
 #include "ljmd/observables/transport/velocity_autocorrelation.hpp"
 
 namespace ljmd {
@@ -8,21 +9,36 @@ constexpr UsualLags usual_vacf_lags{.every = 5, .max_time = 4.0, .share = 0.1};
 
 struct VacfOptions : AnalysisOptions {
     LagOptions lags{usual_vacf_lags};
+    LongTimeOption long_times;
 
-    void describe(Description& description) override { lags.describe(description); }
-    [[nodiscard]] Misfits check(const SampledRun& run) const override { return lags.check(run, "vacf"); }
+    void describe(Description& description) override {
+        lags.describe(description);
+        long_times.describe(description);
+    }
+    [[nodiscard]] Misfits check(const SampledRun& run) const override {
+        Misfits misfits = lags.check(run, "vacf");
+        long_times.check(lags.times(run), run, "vacf", misfits);
+        return misfits;
+    }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
-        const LagTimes times = lags.times(run);
-        return std::make_unique<VelocityAutocorrelation>(run.atoms, times, correlation_window(times, run));
+        std::vector<VelocityAutocorrelation::Level> levels;
+        for (const LagTimes& times : long_times.levels(lags.times(run))) {
+            levels.push_back({times, correlation_window(times, run)});
+        }
+        return std::make_unique<VelocityAutocorrelation>(run.atoms, levels);
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
-        const LagTimes times = lags.times(run);
-        const Index window = correlation_window(times, run);
-        const Index frames = run.steps / times.every + 1;
-        const double frame = 24.0 * static_cast<double>(run.atoms);
-        return {.kept = frame * static_cast<double>(std::min(frames, window)) +
-                        BlockingAccumulator::bytes(3 * times.count + 4, Covariance::diagonal, frames / window),
-                .passing = frame};
+        const LagTimes first = lags.times(run);
+        return with_long_times_size(long_times, first, [&](const LagTimes& times) -> AnalysisSize {
+            const bool is_first = times.every == first.every;
+            const Index window = correlation_window(times, run);
+            const Index frames = run.steps / times.every + 1;
+            const double frame = 24.0 * static_cast<double>(run.atoms);
+            return {.kept = frame * static_cast<double>(std::min(frames, window) + (is_first ? 0 : 1)) +
+                            BlockingAccumulator::bytes(is_first ? 3 * times.count + 4 : times.count + 1,
+                                                       Covariance::diagonal, frames / window),
+                    .passing = frame};
+        });
     }
 };
 

@@ -2,25 +2,46 @@
 
 #include <limits>
 #include <numbers>
+#include <ranges>
+#include <utility>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/green_kubo.hpp"
+#include "ljmd/observables/transport/long_times.hpp"
 
 namespace ljmd {
 
-VelocityAutocorrelation::VelocityAutocorrelation(Index atoms, const LagTimes& lags, Index window)
+namespace {
+
+const VelocityAutocorrelation::Level& first_of(const std::vector<VelocityAutocorrelation::Level>& levels) {
+    if (levels.empty()) {
+        throw ContractViolation("velocity autocorrelation at no times");
+    }
+    return levels.front();
+}
+
+}  // namespace
+
+VelocityAutocorrelation::VelocityAutocorrelation(Index atoms, const std::vector<Level>& levels)
     : atoms_(atoms),
-      lags_(lags),
-      every_(lags.every),
-      cosines_(lags.count + 1),
-      window_(3 * atoms, lags.count, window),
-      means_(3 * (lags.count + 1) + 1, Covariance::diagonal) {}
+      lags_(first_of(levels).lags),
+      every_(lags_.every),
+      cosines_(lags_.count + 1),
+      window_(3 * atoms, lags_.count, levels.front().window),
+      means_(3 * (lags_.count + 1) + 1, Covariance::diagonal) {
+    for (const Level& level : levels | std::views::drop(1)) {
+        coarse_.push_back({level.lags, CorrelationWindows(3 * atoms, level.lags.count, level.window),
+                           BlockingAccumulator(level.lags.count + 1, Covariance::diagonal), Eigen::VectorXd()});
+    }
+}
 
 void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*evaluation*/) {
     ++samples_;
-    const std::optional<Eigen::VectorXd> sum =
-        window_.add(velocities_about_centre(state).reshaped(), state.execution());
+    const Eigen::VectorXd velocities = velocities_about_centre(state).reshaped();
+    const std::optional<Eigen::VectorXd> sum = window_.add(velocities, state.execution());
+    add_to_coarse(velocities, state.execution());
     if (!sum) {
         return;
     }
@@ -34,6 +55,38 @@ void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*eva
         0.5 * lags_.spacing * Eigen::Map<const Eigen::VectorXd>(spectrum.data(), times),
         change_at_double_spacing(correlation, lags_.spacing) / 3.0;
     means_.add(found);
+}
+
+void VelocityAutocorrelation::add_to_coarse(Eigen::VectorXd velocities, const Execution& execution) {
+    for (Coarse& level : coarse_) {
+        if (level.pending.size() == 0) {
+            level.pending = std::move(velocities);
+            return;
+        }
+        velocities = 0.5 * (level.pending + velocities);
+        level.pending.resize(0);
+        if (const std::optional<Eigen::VectorXd> sum = level.window.add(velocities, execution)) {
+            level.means.add(*sum / static_cast<double>(atoms_));
+        }
+    }
+}
+
+void VelocityAutocorrelation::interrupt() {
+    window_.interrupt();
+    for (Coarse& level : coarse_) {
+        level.window.interrupt();
+        level.pending.resize(0);
+    }
+}
+
+void VelocityAutocorrelation::archive(Archive& a) {
+    a(samples_, window_, means_);
+    for (Coarse& level : coarse_) {
+        a(level);
+        if (level.pending.size() != 0 && level.pending.size() != 3 * atoms_) {
+            throw CheckpointError("its mean velocities are of other atoms");
+        }
+    }
 }
 
 Estimate VelocityAutocorrelation::diffusion() const {
@@ -65,7 +118,22 @@ std::vector<DataTable> VelocityAutocorrelation::tables() const {
         spectrum.rows.push_back({std::numbers::pi * static_cast<double>(k) / lags_.time(lags_.count),
                                  to_spectrum * s.mean, to_spectrum * s.standard_error});
     }
+    add_long_times(vacf);
     return has_integrals ? std::vector{vacf, spectrum} : std::vector{vacf};
+}
+
+void VelocityAutocorrelation::add_long_times(DataTable& vacf) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const double at_zero = means_.mean()[0];
+    for (const Coarse& level : coarse_) {
+        const double known = vacf.rows.back()[0];
+        for (Index k = 0; k <= level.lags.count && level.means.samples() > 0; ++k) {
+            if (is_later(level.lags.time(k), known)) {
+                const Estimate c = level.means.estimate(k);
+                vacf.rows.push_back({level.lags.time(k), c.mean, c.standard_error, c.mean / at_zero, nan, nan});
+            }
+        }
+    }
 }
 
 std::vector<ObservableAverage> VelocityAutocorrelation::observables() const {

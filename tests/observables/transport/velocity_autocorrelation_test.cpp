@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <ranges>
 
 #include "core/through_archive.hpp"
 #include "neighbors/sample_states.hpp"
@@ -59,7 +60,7 @@ TEST_CASE("the velocity autocorrelation follows atoms, wherever they lie in memo
     constexpr Index window = 17;
     State state = moving_state(atoms, 3);
     std::mt19937_64 generator(5);
-    VelocityAutocorrelation vacf(atoms, ten_lags, window);
+    VelocityAutocorrelation vacf(atoms, {{ten_lags, window}});
     CHECK(vacf.tables().empty());
     CHECK(vacf.observables().empty());
     std::vector<Eigen::Matrix3Xd> frames;
@@ -97,7 +98,7 @@ TEST_CASE("the velocity autocorrelation follows atoms, wherever they lie in memo
 TEST_CASE("velocities that decay exponentially give the diffusion and the spectrum that belong to it") {
     constexpr double friction = 3.0;
     const LagTimes times{.every = 1, .count = 60, .spacing = 0.03};
-    VelocityAutocorrelation vacf(200, times, 120);
+    VelocityAutocorrelation vacf(200, {{times, 120}});
     Bath bath(200, friction, times.spacing, 11);
     for (int t = 0; t < 120 * 40; ++t) {
         vacf.sample(bath.next(), {});
@@ -136,7 +137,7 @@ TEST_CASE("configurations that are too far apart have no diffusion, and no spect
     // exp(-1.5) is left from one to the next: the trapezoidal rule gives 0.39 where 1/3 is right.
     constexpr double friction = 3.0;
     const LagTimes times{.every = 1, .count = 6, .spacing = 0.5};
-    VelocityAutocorrelation vacf(200, times, 12);
+    VelocityAutocorrelation vacf(200, {{times, 12}});
     Bath bath(200, friction, times.spacing, 11);
     for (int t = 0; t < 12 * 40; ++t) {
         vacf.sample(bath.next(), {});
@@ -156,7 +157,7 @@ TEST_CASE("configurations that are too far apart have no diffusion, and no spect
 
 TEST_CASE("an oscillation is a line in the spectrum") {
     const LagTimes times{.every = 1, .count = 100, .spacing = 0.05};
-    VelocityAutocorrelation vacf(2, times, 200);
+    VelocityAutocorrelation vacf(2, {{times, 200}});
     State state = test::random_state(2, Box(Vec3::Constant(5.0)), 1);
     const double frequency = 20.0 * std::numbers::pi / 5.0;  // ten periods in the largest time: a point of the table
     for (int t = 0; t < 400; ++t) {
@@ -174,7 +175,7 @@ TEST_CASE("an oscillation is a line in the spectrum") {
 
 TEST_CASE("a frame that moves sees the same correlations, and a single atom has none") {
     const auto seen_from = [](const Vec3& velocity, Index atoms) {
-        VelocityAutocorrelation vacf(atoms, ten_lags, 15);
+        VelocityAutocorrelation vacf(atoms, {{ten_lags, 15}});
         Bath bath(atoms, 2.0, ten_lags.spacing, 12);
         for (int t = 0; t < 60; ++t) {
             State state = bath.next();
@@ -195,26 +196,97 @@ TEST_CASE("a frame that moves sees the same correlations, and a single atom has 
 }
 
 TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and drops what was interrupted") {
-    const auto sampled = [](int interrupted_at, int archived_at) {
-        auto vacf = std::make_unique<VelocityAutocorrelation>(30, ten_lags, 15);
+    const LagTimes twice{.every = 4, .count = 8, .spacing = 0.1};
+    const std::vector<VelocityAutocorrelation::Level> levels{{ten_lags, 15}, {twice, 11}};
+    const auto sampled = [&](int interrupted_at, int archived_at) {
+        auto vacf = std::make_unique<VelocityAutocorrelation>(30, levels);
         Bath bath(30, 2.0, ten_lags.spacing, 12);
         for (int t = 0; t < 70; ++t) {
             if (t == interrupted_at) {
                 vacf->interrupt();
             }
             if (t == archived_at) {
-                auto restored = std::make_unique<VelocityAutocorrelation>(30, ten_lags, 15);
+                auto restored = std::make_unique<VelocityAutocorrelation>(30, levels);
                 test::through_archive(*vacf, *restored);
                 vacf = std::move(restored);
             }
             vacf->sample(bath.next(), {});
         }
         CHECK(vacf->samples() == 70);
-        return vacf->tables().at(0).rows;
+        std::vector<std::vector<double>> rows = vacf->tables().at(0).rows;
+        for (auto& row : rows | std::views::drop(11)) {
+            row.resize(error_column);  // beyond, there are three windows, too few for an error, and no D
+        }
+        return rows;
     };
     const auto whole = sampled(-1, -1);
+    CHECK(whole.size() == 11 + 3);
     CHECK(sampled(-1, 20) == whole);
+    CHECK(sampled(-1, 21) == whole);  // with a velocity that waits for its partner
     CHECK(sampled(-1, 30) == whole);
-    CHECK(sampled(30, -1) == whole);  // the end of a window
     CHECK(sampled(31, -1) != whole);
+}
+
+TEST_CASE(
+    "at long times velocities are averaged: an oscillation is weaker by what is known, and by less than a bound") {
+    // Ten atoms at equally spaced phases: cos(w t) exactly, for any window, and their centre is at rest.
+    constexpr Index atoms = 10;
+    constexpr double w = 1.1;
+    const LagTimes first{.every = 1, .count = 8, .spacing = 0.1};
+    std::vector<VelocityAutocorrelation::Level> levels{{first, 16}};
+    for (Index n = 1; n < 4; ++n) {
+        const Index m = Index{1} << n;
+        levels.push_back({{.every = m, .count = 8, .spacing = 0.1 * static_cast<double>(m)}, 16});
+    }
+    VelocityAutocorrelation vacf(atoms, levels);
+    State state = test::random_state(atoms, Box(Vec3::Constant(5.0)), 1);
+    for (int t = 0; t < 256; ++t) {
+        auto v = state.write_velocities();
+        for (Index i = 0; i < atoms; ++i) {
+            const double phase = w * 0.1 * t + 2.0 * std::numbers::pi * static_cast<double>(i) / atoms;
+            v.col(i) = Vec3(std::cos(phase), 0.0, std::sin(phase));
+        }
+        vacf.sample(state, {});
+    }
+    const auto rows = vacf.tables().at(0).rows;
+    REQUIRE(rows.size() == 9 + 3 * 4);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const double m = row < 9 ? 1.0 : std::pow(2.0, 1.0 + std::floor(static_cast<double>(row - 9) / 4.0));
+        const double t = rows[row][time_column];
+        const double half = 0.5 * w * 0.1;
+        const double weaker = std::pow(std::sin(m * half) / (m * std::sin(half)), 2);
+        CAPTURE(row, t, m);
+        CHECK(rows[row][vacf_column] == Approx(weaker * std::cos(w * t)).margin(1e-12));
+        CHECK(std::abs(rows[row][vacf_column] - std::cos(w * t)) <= (m * m - 1.0) * w * w * 0.01 / 12.0 + 1e-12);
+        CHECK((row < 9 || std::isnan(rows[row][diffusion_column])));
+    }
+    CHECK(rows[9][time_column] == Approx(1.0));  // 5 times 0.2
+    CHECK(rows.back()[time_column] == Approx(6.4));
+}
+
+TEST_CASE("mean velocities of a bath have its exponential function, within errors and the bound of their bias") {
+    constexpr double friction = 0.3;
+    const LagTimes first{.every = 1, .count = 10, .spacing = 0.1};
+    std::vector<VelocityAutocorrelation::Level> levels;
+    for (Index n = 0; n < 4; ++n) {
+        const Index m = Index{1} << n;
+        levels.push_back({{.every = m, .count = 10, .spacing = 0.1 * static_cast<double>(m)}, 20});
+    }
+    VelocityAutocorrelation vacf(400, levels);
+    Bath bath(400, friction, first.spacing, 4);
+    for (int t = 0; t < 8000; ++t) {
+        vacf.sample(bath.next(), {});
+    }
+    const auto rows = vacf.tables().at(0).rows;
+    REQUIRE(rows.size() == 11 + 3 * 5);
+    CHECK(rows.back()[time_column] == Approx(8.0));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const double m = row < 11 ? 1.0 : std::pow(2.0, 1.0 + std::floor(static_cast<double>(row - 11) / 5.0));
+        const double c = 3.0 * (1.0 - 1.0 / 400.0) * std::exp(-friction * rows[row][time_column]);
+        // C'' is friction^2 C, and a third more over the width of the average.
+        const double bias = 4.0 / 3.0 * (m * m - 1.0) * 0.01 / 12.0 * friction * friction * c;
+        CHECK(std::abs(rows[row][vacf_column] - c) < 4.5 * rows[row][error_column] + bias);
+        CHECK(rows[row][error_column] < 0.02);
+        CHECK(bias < 0.01 * c);
+    }
 }
