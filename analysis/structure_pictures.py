@@ -234,8 +234,13 @@ def has_values(path: Path, table: Table, names: Sequence[str]) -> bool:
     """Whether the columns `names` of a table have a number in every row. One without any is of a quantity that has no value
     in this run (g(r) of a single atom, viscosity at zero temperature): there is nothing to draw then, which is said.
 
-    Raises DataError for a column with some numbers, but for those that may end before the others.
+    Raises DataError for a column with some numbers, but for those that may end before the others, or be missing at any wave number.
     """
+    if names and set(names) <= set(time_pictures.MODES):
+        if any(np.isfinite(table[name]).any() for name in names):
+            return True
+        print(f"{path}: it has no value in this run, no picture of it", file=sys.stderr)
+        return False
     for name in names:
         gaps = np.flatnonzero(~np.isfinite(table[name]))
         if gaps.size == table[name].size:

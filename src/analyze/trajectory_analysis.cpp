@@ -14,6 +14,7 @@
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/observables/interface/film.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
@@ -210,6 +211,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
         std::ranges::move(tables, std::back_inserter(result.tables));
         std::ranges::move(averages, std::back_inserter(result.averages));
     }
+    mark_slow_exchange(result.averages);
     if (trajectory.deck != nullptr && !trajectory.deck->given.external.empty()) {
         withdraw_diffusion(result.averages,
                            fmt::format("frames do not tell whether the external force {} differed between atoms: {}",

@@ -15,6 +15,7 @@
 #include "ljmd/model/all_atoms.hpp"
 #include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/model/checksum.hpp"
+#include "ljmd/observables/interface/film.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 
@@ -357,6 +358,7 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
     }
+    mark_slow_exchange(result.averages);
     if (external_differs_) {
         withdraw_diffusion(result.averages, fmt::format("the external force '{}' differs between atoms: {}",
                                                         printable(spec_.external->name(), 64), no_frame_of_diffusion));

@@ -48,11 +48,13 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     const std::string error = fmt::format("{}_standard_error", drawn.y);
     const bool has_error = table.has_column(error);
     const std::string caption = drawn.caption;
+    const char* said_of_error = drawn.as_dots ? "Error bars are one standard error on either side."
+                                              : "The band is one standard error on either side.";
     const bool is_long = goes_to_long_times(table, drawn.x);
     const bool is_logarithmic = drawn.logarithmic || (is_long && drawn.is_power_of_time);
     Chart chart{.id = fmt::format("{}-{}", drawn.file, drawn.y),
                 .title = drawn.title,
-                .caption = caption.empty() && has_error ? "The band is one standard error on either side." : caption,
+                .caption = caption.empty() && has_error ? said_of_error : caption,
                 .lead = drawn.lead,
                 .x = {axis_label(drawn.x), is_long ? "log" : "linear"},
                 .y = {axis_label(drawn.y), is_logarithmic ? "log" : "linear"}};
@@ -66,6 +68,15 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
                                .x = drawn.x,
                                .y = expected,
                                .colour = 1});
+        chart.marks.push_back({.type = "dots",
+                               .label = "measured",
+                               .table = table.name,
+                               .x = drawn.x,
+                               .y = drawn.y,
+                               .error = has_error ? error : ""});
+        return chart;
+    }
+    if (drawn.as_dots) {
         chart.marks.push_back({.type = "dots",
                                .label = "measured",
                                .table = table.name,
@@ -88,6 +99,12 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     return chart;
 }
 
+bool has_values(const PageTable& table, const std::string& column) {
+    const auto found = std::ranges::find(table.columns, column, &PageColumn::name);
+    const Data::List& values = table.values[static_cast<std::size_t>(found - table.columns.begin())];
+    return std::ranges::any_of(values, &Data::is_number);
+}
+
 /// Add a chart, and its table unless another chart has added it. @param file  of the table, within the directory
 void add_chart(PageContent& page, const RunFacts& facts, const AnalysisChart& drawn, const std::string& file) {
     auto found = std::ranges::find(page.tables, std::string(drawn.file), &PageTable::name);
@@ -96,7 +113,7 @@ void add_chart(PageContent& page, const RunFacts& facts, const AnalysisChart& dr
         found = page.tables.end() - 1;
     }
     const auto has = [&](const std::string& column) { return column.empty() || found->has_column(column); };
-    if (has(drawn.x) && has(drawn.y) && has(drawn.expected)) {
+    if (has(drawn.x) && has(drawn.y) && has(drawn.expected) && has_values(*found, drawn.y)) {
         page.charts.push_back(chart_of(drawn, *found));
     }
 }

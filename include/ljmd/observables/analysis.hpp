@@ -124,6 +124,7 @@ struct AnalysisChart {
     const char* expected_label = "";
     bool logarithmic = false;       ///< the axis of y
     bool is_power_of_time = false;  ///< where times go on to long ones, the axis of y is logarithmic as theirs is
+    bool as_dots = false;           ///< single values, which no line joins
     const char* group = "";         ///< column whose values each are a line of their own
 };
 

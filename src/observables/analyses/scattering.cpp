@@ -57,8 +57,8 @@ struct ScatteringOptions : AnalysisOptions {
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
         return with_long_times(long_times, lags.times(run), [&](const LagTimes& times) {
-            return std::make_unique<Scattering>(run.atoms, shells_in(run.box), times, correlation_window(times, run),
-                                                origins);
+            return std::make_unique<Scattering>(run.atoms, static_cast<double>(run.atoms) / run.box.volume(),
+                                                shells_in(run.box), times, correlation_window(times, run), origins);
         });
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
@@ -74,7 +74,8 @@ struct ScatteringOptions : AnalysisOptions {
             return {.kept = open * phases + 64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
                             BlockingAccumulator::bytes(4 * shells * (times.count + 1), Covariance::diagonal,
                                                        frames / window) +
-                            BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added),
+                            BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added) +
+                            Scattering::bytes_of_modes(shells, times),
                     .passing = phases};
         });
     }
@@ -93,8 +94,9 @@ AnalysisMethod scattering() {
         .name = "scattering",
         .meaning =
             "intermediate scattering functions F(k, t) and F_s(k, t), longitudinal and transverse currents, dynamic "
-            "structure factor S(k, omega), written to fkt.csv, fskt.csv and skw.csv",
-        .files = {"fkt", "fskt", "skw"},
+            "structure factor S(k, omega), sound, viscosity and diffusion at these wave numbers, written to fkt.csv, "
+            "fskt.csv, skw.csv and modes.csv",
+        .files = {"fkt", "fskt", "modes", "skw"},
         .follows_time = true,
         .needs = {.velocities = true, .unwrapped_positions = true},
         .quantities = {{"k", "k sigma", ""},
@@ -103,25 +105,37 @@ AnalysisMethod scattering() {
                        {"C_T", "C_T(k, t)", "tau^-2"},
                        {"F_s", "F_s(k, t)", ""},
                        {"angular_frequency", "omega tau", ""},
-                       {"S_kw", "S(k, omega)", "tau"}},
+                       {"S_kw", "S(k, omega)", "tau"},
+                       {"sound_velocity", "c(k)", "sigma/tau"},
+                       {"sound_attenuation", "Gamma(k)", "sigma^2/tau"},
+                       {"transverse_viscosity", "eta(k)", "epsilon tau/sigma^3"},
+                       {"self_diffusion", "D(k)", "sigma^2/tau"}},
         .charts =
-            {{.file = "fkt",
-              .x = "time",
-              .y = "F",
-              .title = "Intermediate scattering F(k, t), by wave number",
-              .group = "k"},
-             {.file = "fskt",
-              .x = "time",
-              .y = "F_s",
-              .title = "Its self part F_s(k, t), by wave number",
-              .group = "k"},
+            {{.file = "fkt", .x = "time", .y = "F", .title = "Intermediate scattering, by wave number", .group = "k"},
+             {.file = "fskt", .x = "time", .y = "F_s", .title = "Its self part, by wave number", .group = "k"},
              {.file = "fkt", .x = "time", .y = "C_L", .title = "Longitudinal current, by wave number", .group = "k"},
              {.file = "fkt", .x = "time", .y = "C_T", .title = "Transverse current, by wave number", .group = "k"},
              {.file = "skw",
               .x = "angular_frequency",
               .y = "S_kw",
-              .title = "Dynamic structure factor S(k, omega), by wave number",
-              .group = "k"}},
+              .title = "Dynamic structure factor, by wave number",
+              .group = "k"},
+             {.file = "modes",
+              .x = "k",
+              .y = "sound_velocity",
+              .title = "Speed of sound, by wave number",
+              .as_dots = true},
+             {.file = "modes",
+              .x = "k",
+              .y = "sound_attenuation",
+              .title = "Attenuation of sound, by wave number",
+              .as_dots = true},
+             {.file = "modes",
+              .x = "k",
+              .y = "transverse_viscosity",
+              .title = "Viscosity, by wave number",
+              .as_dots = true},
+             {.file = "modes", .x = "k", .y = "self_diffusion", .title = "Diffusion, by wave number", .as_dots = true}},
         .options = [] { return std::make_unique<ScatteringOptions>(); }};
 }
 

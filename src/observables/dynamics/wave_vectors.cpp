@@ -14,6 +14,13 @@ namespace ljmd {
 
 namespace {
 
+constexpr double width = 0.05;  // of a shell, as a fraction of its wave number
+
+/// Lengths that differ by rounding are equal.
+double rounded(double length) {
+    return std::round(length * 1e9);
+}
+
 bool is_of_pair(const std::array<Index, 3>& n) {
     const auto first = std::ranges::find_if(n, [](Index number) { return number != 0; });
     return first != n.end() && *first > 0;
@@ -68,15 +75,13 @@ std::vector<WaveShell> wave_shells(const Box& box, double k_min, double k_max, I
     // Neighbours of a wave number lie within the smallest ones along the edges.
     const double reach = 2.0 * std::numbers::pi / box.edges().minCoeff();
     std::vector<WaveShell> all;
-    std::set<std::array<Index, 3>> taken;
+    std::set<double> taken;  // lengths, rounded
     for (Index shell = 0; shell < shells; ++shell) {
         const double wanted =
             shells == 1 ? k_min
                         : k_min + (k_max - k_min) * static_cast<double>(shell) / static_cast<double>(shells - 1);
         std::vector<WaveVector> near = vectors_between(box, wanted - reach, wanted + reach);
-        std::erase_if(near, [&](const WaveVector& v) { return taken.contains(v.numbers); });
-        // Lengths that differ by rounding are equal.
-        const auto distance = [&](const WaveVector& v) { return std::round(std::abs(v.length - wanted) * 1e9); };
+        const auto distance = [&](const WaveVector& v) { return rounded(std::abs(v.length - wanted)); };
         std::array<Index, 3> turn{};
         std::vector<std::tuple<double, Index, std::size_t, std::size_t>> order;
         std::ranges::sort(near, {}, [&](const WaveVector& v) {
@@ -97,11 +102,22 @@ std::vector<WaveShell> wave_shells(const Box& box, double k_min, double k_max, I
             if (static_cast<Index>(found.vectors.size()) == most) {
                 break;
             }
-            taken.insert(near[place].numbers);
+            const double length = near[place].length;
+            const bool is_taken = taken.contains(rounded(length));
+            if (found.vectors.empty() && is_taken) {
+                break;  // it would be a shell once more
+            }
+            if (is_taken || (!found.vectors.empty() &&
+                             std::abs(length - found.vectors.front().length) > width * found.vectors.front().length)) {
+                continue;
+            }
             found.vectors.push_back(near[place]);
-            found.k += near[place].length;
+            found.k += length;
         }
         if (!found.vectors.empty()) {
+            for (const WaveVector& vector : found.vectors) {
+                taken.insert(rounded(vector.length));
+            }
             found.k /= static_cast<double>(found.vectors.size());
             all.push_back(std::move(found));
         }

@@ -1,6 +1,9 @@
 #include "ljmd/observables/interface/film.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "ljmd/observables/interface/pressure_profile.hpp"
 #include "ljmd/observables/statistics/known_quantities.hpp"
@@ -15,6 +18,10 @@ constexpr double smallest_contrast = 0.5;  // of the density of the liquid
 constexpr const char* no_tail =
     "the tail correction is that of a homogeneous fluid: use a shifted potential, or tail = false";
 constexpr const char* no_film = "no layer of liquid and layer of vapour can be told apart";
+/// They depend on how many atoms are in the liquid.
+constexpr std::array<std::string_view, 4> follow_exchange{"potential_energy", "total_energy", "heat_capacity_cv",
+                                                          "liquid_density"};
+
 constexpr const char* one_atom = "a single atom has no pressure";
 
 }  // namespace
@@ -139,6 +146,18 @@ std::vector<ObservableAverage> Film::observables() const {
         pressure.estimate = means_.estimate(3 * layers_ + 1);
     }
     return {tension, pressure, liquid, vapour};
+}
+
+void mark_slow_exchange(std::vector<ObservableAverage>& averages) {
+    const auto vapour = std::ranges::find(averages, "vapour_density", &ObservableAverage::name);
+    if (vapour == averages.end() || !vapour->estimate || vapour->estimate->converged) {
+        return;
+    }
+    for (ObservableAverage& average : averages) {
+        if (average.estimate && std::ranges::find(follow_exchange, average.name) != follow_exchange.end()) {
+            average.estimate->converged = false;
+        }
+    }
 }
 
 }  // namespace ljmd

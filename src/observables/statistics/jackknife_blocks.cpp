@@ -33,20 +33,25 @@ void JackknifeBlocks::add(const Eigen::VectorXd& sample) {
     length_ *= 2;
 }
 
-Eigen::VectorXd JackknifeBlocks::errors(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const {
+Eigen::VectorXd JackknifeBlocks::sum() const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
     for (const Eigen::VectorXd& block : means_) {
         sum += block;
     }
+    return sum;
+}
+
+Eigen::VectorXd JackknifeBlocks::errors(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const {
     const auto blocks = static_cast<double>(means_.size());
+    const Eigen::VectorXd all = sum();
     if (means_.size() < least_blocks) {
-        return Eigen::VectorXd::Constant(function(sum / blocks).size(), std::numeric_limits<double>::quiet_NaN());
+        return Eigen::VectorXd::Constant(function(all / blocks).size(), std::numeric_limits<double>::quiet_NaN());
     }
     std::vector<Eigen::VectorXd> without;
     without.reserve(means_.size());
     for (const Eigen::VectorXd& block : means_) {
-        without.push_back(function((sum - block) / (blocks - 1.0)));
+        without.push_back(function((all - block) / (blocks - 1.0)));
     }
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(without.front().size());
     for (const Eigen::VectorXd& each : without) {

@@ -36,7 +36,7 @@ std::vector<double> different(const DataTable& table, std::size_t column) {
 
 TEST_CASE("scattering has seven wave numbers up to 7/sigma, every 10 steps up to 4 tau, unless told otherwise") {
     const auto usual = tables_of({});
-    REQUIRE(usual.size() == 3);
+    REQUIRE(usual.size() == 4);
     CHECK(usual[0].name == "fkt");
     CHECK(usual[1].name == "fskt");
     CHECK(usual[2].name == "skw");

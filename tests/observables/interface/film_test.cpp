@@ -159,3 +159,28 @@ TEST_CASE("a tail correction leaves the tension without a value, and so does a s
     CHECK(one.tables().empty());
     CHECK_THAT(by_name(one).at("surface_tension").remark, Contains("single atom"));
 }
+
+TEST_CASE("where the vapour's density is a guess, so is what follows from how many atoms are in the liquid") {
+    const auto average = [](const std::string& name, bool converged) {
+        return ObservableAverage{name, "", "", Estimate{1.0, 0.1, 20.0, 100, converged}};
+    };
+    const auto sure_of = [&](bool vapour) {
+        std::vector<ObservableAverage> all{average("temperature", true),     average("potential_energy", true),
+                                           average("total_energy", true),    average("heat_capacity_cv", true),
+                                           average("surface_tension", true), average("liquid_density", true),
+                                           average("vapour_density", vapour)};
+        mark_slow_exchange(all);
+        std::vector<std::string> sure;
+        for (const ObservableAverage& each : all) {
+            if (each.estimate->converged) {
+                sure.push_back(each.name);
+            }
+        }
+        return sure;
+    };
+    CHECK(sure_of(true).size() == 7);
+    CHECK(sure_of(false) == std::vector<std::string>{"temperature", "surface_tension"});
+    std::vector<ObservableAverage> no_film{average("potential_energy", true)};
+    mark_slow_exchange(no_film);
+    CHECK(no_film[0].estimate->converged);
+}

@@ -1,5 +1,8 @@
 #include "ljmd/observables/transport/long_times.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -92,14 +95,14 @@ TEST_CASE("long times go on where the first level ends, with every second, fourt
     CHECK_FALSE(both->due(6));
     REQUIRE(tables.size() == short_times.size());
     for (std::size_t k = 0; k < tables.size(); ++k) {
-        const bool has_time = tables[k].name != "skw";
+        const bool has_time = tables[k].name != "skw" && tables[k].name != "modes";
         const std::size_t time = tables[k].name == "msd" ? 0 : 1;
         const std::size_t groups = name == "msd" ? 1 : short_times[k].rows.size() / 11;
-        REQUIRE(short_times[k].rows.size() == 11 * groups);
         if (!has_time) {
-            CHECK(tables[k].rows == short_times[k].rows);
+            CHECK(fmt::format("{}", tables[k].rows) == fmt::format("{}", short_times[k].rows));
             continue;
         }
+        REQUIRE(short_times[k].rows.size() == 11 * groups);
         REQUIRE(tables[k].rows.size() == (11 + 3 * 5) * groups);
         for (std::size_t group = 0; group < groups; ++group) {
             const auto begin = tables[k].rows.begin() + static_cast<std::ptrdiff_t>(26 * group);

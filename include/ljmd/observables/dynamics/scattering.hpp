@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/observables/dynamics/wave_vectors.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/observables/statistics/jackknife_blocks.hpp"
 #include "ljmd/observables/transport/correlation_windows.hpp"
 #include "ljmd/observables/transport/lag_times.hpp"
 
@@ -30,14 +32,27 @@ namespace ljmd {
 /// averaging over windows. F_s: time origins equally spaced, `origins` of them within the largest time; errors by block
 /// averaging over origins.
 ///
+/// Modes, of each wave number, with errors by a jackknife over 16 to 64 blocks of windows or origins (none with fewer):
+/// the speed c = w_s/k and the attenuation Gamma = z_s/k^2 of sound and the viscosity eta(k) of hydrodynamic_modes.hpp,
+/// where there are any, and D(k) = ln(F_s(k, t_max/2)/F_s(k, t_max))/(k^2 t_max/2), which is the coefficient of
+/// diffusion as k goes to 0; k^2 is the mean over the shell.
+///
 /// Tables, one row for each wave number and time or frequency: `fkt`: k, time, F, C_L, C_T with errors. `fskt`: k,
-/// time, F_s, error. `skw`: k, angular_frequency, S_kw, error. Sources: Hansen and McDonald, Theory of Simple Liquids,
-/// sections 7.4 and 7.5; Levesque, Verlet and Kurkijarvi (1973), doi:10.1103/PhysRevA.7.1690
+/// time, F_s, error. `skw`: k, angular_frequency, S_kw, error. One row for each wave number: `modes`: k, sound_velocity
+/// [sigma/tau], sound_attenuation [sigma^2/tau], transverse_viscosity [epsilon tau/sigma^3], self_diffusion
+/// [sigma^2/tau], each with its error, NaN where there is none; no such table with fewer than 8 times. Sources: Hansen
+/// and McDonald, Theory of Simple Liquids, sections 7.4 and 7.5; Levesque, Verlet and Kurkijarvi (1973),
+/// doi:10.1103/PhysRevA.7.1690
 class Scattering : public Analysis {
   public:
+    /// @param density  [sigma^-3]
     /// @param window   configurations per window, greater than lags.count
     /// @param origins  at least 1; more than lags.count have no effect
-    Scattering(Index atoms, std::vector<WaveShell> shells, const LagTimes& lags, Index window, Index origins);
+    Scattering(Index atoms, double density, std::vector<WaveShell> shells, const LagTimes& lags, Index window,
+               Index origins);
+
+    /// Memory of the blocks that modes are found from [bytes].
+    [[nodiscard]] static double bytes_of_modes(Index shells, const LagTimes& lags);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
     void sample(const State& state, const Evaluation& evaluation) override;
@@ -62,9 +77,14 @@ class Scattering : public Analysis {
                                    const Execution& execution) const;
     void add_modes(const Phases& phases, const Eigen::Matrix3Xd& velocities, const Execution& execution);
     void add_self(Phases phases, const Execution& execution);
+    void add_to_modes(const Eigen::VectorXd& functions);
+    [[nodiscard]] std::optional<DataTable> modes() const;
+    [[nodiscard]] Eigen::VectorXd modes_of(const Eigen::VectorXd& collective) const;
+    [[nodiscard]] Eigen::VectorXd diffusion_of(const Eigen::VectorXd& self) const;
     [[nodiscard]] Eigen::VectorXd smoothed_spectrum(const Eigen::VectorXd& correlation) const;
 
     Index atoms_;
+    double density_;
     std::vector<WaveShell> shells_;
     std::vector<WaveVector> vectors_;  ///< of all shells
     LagTimes lags_;
@@ -79,6 +99,8 @@ class Scattering : public Analysis {
     std::vector<Origin> origins_;  ///< incomplete ones, oldest first
     BlockingAccumulator means_;    ///< of each shell F, C_L, C_T, S
     BlockingAccumulator self_;     ///< of each shell F_s
+    JackknifeBlocks collective_;   ///< of each shell F, C_T, C_L(k, 0)
+    JackknifeBlocks halves_;       ///< of each shell F_s at half of the largest time and at it
 };
 
 }  // namespace ljmd

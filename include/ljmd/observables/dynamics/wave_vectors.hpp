@@ -22,10 +22,11 @@ struct WaveShell {
     std::vector<WaveVector> vectors;
 };
 
-/// Shells at equally spaced wave numbers from k_min to k_max, each of the vectors of the box whose lengths are nearest:
-/// of those, and among equal lengths, vectors with the largest numbers first along x, then along y, then along z take
-/// turns, so that three vectors (n, 0, 0) of a cube are one along each edge. No vector is in two shells; a shell that
-/// would have none is left out.
+/// Shells at equally spaced wave numbers from k_min to k_max, each of the vectors of the box whose lengths are nearest,
+/// and within 5 % of the nearest one's: so the shells of the smallest wave numbers have one length each. Among equal
+/// lengths, vectors with the largest numbers first along x, then along y, then along z take turns, so that three
+/// vectors (n, 0, 0) of a cube are one along each edge. No length is in two shells; a shell that would have no vector
+/// is left out.
 /// @param most  vectors in a shell
 /// @throws ContractViolation unless 0 < k_min <= k_max, shells >= 1, most >= 1
 [[nodiscard]] std::vector<WaveShell> wave_shells(const Box& box, double k_min, double k_max, Index shells, Index most);

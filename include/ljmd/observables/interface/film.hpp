@@ -65,4 +65,8 @@ class Film : public Analysis {
     BlockingAccumulator densities_;  ///< of the layers of both halves together, from the middle outwards
 };
 
+/// Atoms evaporate and condense slowly, and energies and the density of the liquid follow the number of atoms in it,
+/// hidden below fast noise. So where the error of the vapour's density is a guess, so are theirs.
+void mark_slow_exchange(std::vector<ObservableAverage>& averages);
+
 }  // namespace ljmd

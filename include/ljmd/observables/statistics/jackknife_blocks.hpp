@@ -27,6 +27,12 @@ class JackknifeBlocks {
     /// @pre the sample has `width` components
     void add(const Eigen::VectorXd& sample);
 
+    /// Samples in complete blocks.
+    [[nodiscard]] Index samples() const { return length_ * static_cast<Index>(means_.size()); }
+
+    /// Means over complete blocks, which errors() has the errors of. @pre samples() > 0
+    [[nodiscard]] Eigen::VectorXd mean() const { return sum() / static_cast<double>(means_.size()); }
+
     /// Standard errors of the components of a function of the means; NaN with fewer than 16 blocks.
     /// @param function  of the means, `width` components; returns the same number of components whenever it is called
     [[nodiscard]] Eigen::VectorXd errors(
@@ -39,6 +45,8 @@ class JackknifeBlocks {
     void archive(Archive& a);
 
   private:
+    [[nodiscard]] Eigen::VectorXd sum() const;  ///< of the means of blocks
+
     Index width_;
     Index length_ = 1;     ///< samples of a block
     Index collected_ = 0;  ///< samples in the block that is not complete

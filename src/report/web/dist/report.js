@@ -15336,9 +15336,10 @@ ${extraStyle}`
 
   // source/charts/marks.js
   var finite2 = (rows, ...names) => rows.filter((row2) => names.every((name) => typeof row2[name] === "string" || Number.isFinite(row2[name])));
+  var titled = (name) => name !== "" && Number.isFinite(Number(name)) ? number(Number(name), 4) : name;
   function series(mark, rows, groups) {
     if (!mark.group) return [{ rows, colour: role(mark.colour ?? 0), label: mark.label }];
-    return groups.map((name, place) => ({ rows: rows.filter((row2) => row2.group === name), colour: role(place), label: name })).filter((entry) => entry.rows.length > 0);
+    return groups.map((name, place) => ({ rows: rows.filter((row2) => row2.group === name), colour: role(place), label: titled(name) })).filter((entry) => entry.rows.length > 0);
   }
   function groupsOf(chart, tables) {
     return categories((chart.marks ?? []).filter((mark) => mark.group).flatMap((mark) => rowsOf(mark, chart, tables).map((row2) => row2.group)));

@@ -6,10 +6,13 @@ import { categories, rowsOf } from "./rows.js";
 
 const finite = (rows, ...names) => rows.filter((row) => names.every((name) => typeof row[name] === "string" || Number.isFinite(row[name])));
 
+/** The name of a group for readers: a number in few digits. */
+const titled = (name) => (name !== "" && Number.isFinite(Number(name)) ? number(Number(name), 4) : name);
+
 /** Splits rows into series. A group has the same colour in all marks of a chart. */
 function series(mark, rows, groups) {
     if (!mark.group) return [{ rows, colour: role(mark.colour ?? 0), label: mark.label }];
-    return groups.map((name, place) => ({ rows: rows.filter((row) => row.group === name), colour: role(place), label: name }))
+    return groups.map((name, place) => ({ rows: rows.filter((row) => row.group === name), colour: role(place), label: titled(name) }))
         .filter((entry) => entry.rows.length > 0);
 }
 
