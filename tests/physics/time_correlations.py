@@ -14,6 +14,7 @@ import tempfile
 import numpy as np
 
 ATOMS, EVERY, LAGS, ORIGINS, BINS, RADIUS, TIMES, BETWEEN, STEP = 108, 5, 12, 4, 20, 0.5, 3, 60, 0.004
+CUTOFF, FIRST = 2.2, 6  # of the potential; times that the second derivative of C_L is found from
 DECK = f"""[system]
 lattice = {{ type = "fcc", cells = 3 }}
 density = 0.8
@@ -21,7 +22,7 @@ temperature = 1.2
 seed = 3
 [potential]
 type = "lennard-jones"
-cutoff = 2.2
+cutoff = {CUTOFF}
 truncation = "force-shifted"
 [[stage]]
 name = "melt"
@@ -44,10 +45,50 @@ structure_factor = {{ every = {EVERY}, width = 0.01, k_max = 3.0 }}
 """
 
 
+FAST = f"""scattering = {{ every = 1, max_time = {FIRST * STEP}, shells = 1, k_min = {{k}}, k_max = {{k}}, vectors = 3 }}
+"""
+
+
 def table(path):
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+
+def curvature(r, k, edge):
+    """<sum over j of (1 - cos(k x_ij)) d^2 phi/dx^2>, mean over atoms, frames and the three axes: rho integral of g(r) (1 - cos(k x)) phi_xx."""
+    def slope(at):
+        return -48 * at**-13 + 24 * at**-7
+
+    total = 0.0
+    for frame in r:
+        apart = frame[None, :, :] - frame[:, None, :]
+        apart -= edge * np.round(apart / edge)
+        distance = np.sqrt(np.sum(apart**2, axis=2))
+        near = (distance > 0) & (distance < CUTOFF)
+        x2, d = apart[near] ** 2, distance[near][:, None]
+        first, second = slope(d) - slope(CUTOFF), 624 * d**-14 - 168 * d**-8
+        along = x2 / d**2
+        total += np.sum((1 - np.cos(k * apart[near])) * (second * along + first / d * (1 - along))) / (3 * ATOMS)
+    return total / len(r)
+
+
+def fourth_moment(check, ljmd, folder, k, edge):
+    """-C_L''(0)/C_L(0) = 3 k^2 T/m + rho/m integral of g(r) (1 - cos(k x)) phi_xx: the fourth moment of S(k, w) (de Gennes 1959; Hansen and
+    McDonald, section 7.4). Left: C_L at times of a few steps; right: configurations alone, so this line sees the dynamics."""
+    deck = DECK[:DECK.index("scattering")] + FAST
+    deck = deck.replace(f"every = {EVERY}, velocities", "every = 40, velocities").replace("{k}", repr(k))
+    (folder / "fast.toml").write_text(deck, encoding="utf-8")
+    subprocess.run([ljmd, "run", "fast.toml", "--quiet", "--out", "fast", "--force"], cwd=folder, check=True, capture_output=True)
+    found = table(folder / "fast/fkt.csv")
+    r, v = frames_of(folder / "fast/trajectory.xyz")
+    c, t = found["C_L"], found["time"]
+    # (1 - C(t)/C(0)) 2/t^2 is a series in t^2: its value at 0 by Richardson's rule, from 2, 4 and 6 steps.
+    a, b, d = (2 * (1 - c[n] / c[0]) / t[n] ** 2 for n in (2, 4, 6))
+    left = (15 * a - 6 * b + d) / 10
+    right = 3 * k**2 * np.mean(v**2) * ATOMS / (ATOMS - 1) + curvature(r, k, edge)
+    print(f"fourth moment at k = {k:.3f}: {left:.2f} from C_L, {right:.2f} from configurations")
+    check.near(f"fourth moment at {k:.3f}", left, right, 0.02 * right)
 
 
 def frames_of(path):
@@ -111,6 +152,8 @@ def main() -> int:
         fkt, fskt, skw = (table(run / f"{file}.csv") for file in ("fkt", "fskt", "skw"))
         gs, alpha2, gd, sk = (table(run / f"{file}.csv") for file in ("gs", "alpha2", "gd", "sk"))
         r, v = frames_of(run / "trajectory.xyz")
+        for n in (2, 5):
+            fourth_moment(check, options.ljmd, folder, n * unit, edge)
 
     window = 2 * LAGS
     times = EVERY * STEP * np.arange(LAGS + 1)
