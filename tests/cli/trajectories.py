@@ -424,6 +424,35 @@ def positions_that_nothing_tells(t):
     t.expect(2, t.run("analyze", "a.xyz", "msd", "--positions", "folded"))
 
 
+def with_velocities(text):
+    """Frames of walls() with the velocity of each atom, the same for all."""
+    text = re.sub(r'(Lattice="[^"]*")', r"\1 Properties=species:S:1:pos:R:3:velo:R:3", text)
+    return re.sub("^(X .*)$", r"\1 0.1 0.2 0.3", text, flags=re.MULTILINE)
+
+
+def time_correlations_of_foreign_frames(t):
+    """What msd refuses, and what it follows through the walls, the other functions of two times refuse and follow, in the same words."""
+    damaged = {"without times": re.sub(r" Time=\d+", "", walls(3)), "uneven": walls(3).replace("Time=7 ", "Time=7.5 "),
+               "far": walls(1, step=2.0), "another box": walls(3).replace("5.0 0 0 0 5.0 0", "5.5 0 0 0 5.0 0", 1)}
+    for name, made, more in (("van_hove", str, {}), ("van_hove_distinct", str, {"between": 8, "radius": 2.4}), ("scattering", with_velocities, {})):
+        for what, text in damaged.items():
+            (t.dir / "a.xyz").write_text(made(text))
+            wanted = t.expect(2, t.run("analyze", "a.xyz", "msd")).err
+            t.equal(t.expect(2, t.run("analyze", "a.xyz", name)).err, wanted.replace("msd", name), f"{name}, {what}")
+        settings = {"every": 1, "max_time": 4, **more}
+        tables = {}
+        for file, wrap_every in (("late", 3), ("unwrapped", 0)):
+            (t.dir / f"{file}.xyz").write_text(made(walls(wrap_every)))
+            t.run_well("analyze", f"{file}.xyz", name, "--out", f"{name}-{file}",
+                       *(word for key, value in settings.items() for word in ("--set", f"analysis.{name}.{key}={value}")))
+            tables[file] = [t.columns(f"{name}-{file}/{each}") for each in t.files(f"{name}-{file}") if each.endswith(".csv")]
+        t.check(tables["late"], f"{name} has tables")
+        for late, unwrapped in zip(tables["late"], tables["unwrapped"], strict=True):
+            for column, values in late.items():
+                t.check(all(math.isclose(a, b, rel_tol=1e-4, abs_tol=1e-5) or (math.isnan(a) and math.isnan(b))
+                            for a, b in zip(values, unwrapped[column], strict=True)), f"{name} through the walls: {column}")
+
+
 def shivering_lattice(atoms, edge):
     """Lines of a dump, frame after frame: a cubic lattice that shivers, with the same velocities."""
     generator = random.Random(4)
@@ -504,7 +533,7 @@ def cases():
     named = (a_compressed_dump, a_box_whose_tilt_factors_are_zero, the_dump_of_a_group, a_dump_that_was_appended_to,
              positions_of_cp2k, a_lammps_dump_with_image_flags, thermodynamics_of_frames, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
              settings_count_frames, thermo_and_more, cut_off, in_si_units, tables_that_are_there, without_a_trajectory,
-             a_few_bodies, a_box_that_changes, without_times, positions_through_the_walls, positions_that_nothing_tells,
+             a_few_bodies, a_box_that_changes, without_times, time_correlations_of_foreign_frames, positions_through_the_walls, positions_that_nothing_tells,
              a_deck_that_the_frames_contradict, units_of_the_first_frame, two_kinds_of_atoms, velocities_at_other_steps)
     uneven = timed(0, 1, 3, 4, **WITH_VELOCITIES)
     return [Case(test.__name__.replace("_", " "), test) for test in named] + [

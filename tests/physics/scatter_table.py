@@ -10,6 +10,7 @@ expect (2.4 %), and two standard deviations of such a number; what is right is t
 
 import argparse
 import concurrent.futures
+import csv
 import json
 import math
 import pathlib
@@ -103,6 +104,13 @@ film = {{ layers = 100, every = 25 }}
 # a run falls as 1/t, faster than any error from its variance, which is then too large.
 OF_BOUNDED_MOTION = {("film", "pressure_xz"), ("film", "pressure_yz")}
 
+CORRELATIONS = """
+scattering = { every = 10, max_time = 2.0, shells = 3, vectors = 3 }
+van_hove = { every = 10, max_time = 2.0, times = 3, bins = 30, radius = 2.0 }
+van_hove_distinct = { every = 50, max_time = 1.0, between = 4.0, bins = 30, radius = 2.4 }
+"""
+POINTS = 5  # of each function of a table
+
 BAROSTAT = 'barostat = { type = "stochastic-cell-rescaling", pressure = 1.0, time = 1.0 }'
 FLUCTUATIONS = "response_functions = { every = 20 }"
 
@@ -119,6 +127,7 @@ KINDS = {
     "short, constant pressure": (False, lambda seed: liquid(seed, "steps = 20000", barostat=BAROSTAT), []),
     "short film": (False, lambda seed: FILM.format(seed=seed, length="steps = 20000"), []),
     "four replicas": (False, lambda seed: liquid(100 * seed, "steps = 8000"), ["--replicas", "4", "--jobs", "1"]),
+    "time correlations": (True, lambda seed: liquid(seed, "steps = 100000", analyses=CORRELATIONS), []),
     "until the pressure": (False, lambda seed: liquid(seed, "until = { pressure = 0.03, max_steps = 200000 }"), []),
     "until the heat capacity": (False, lambda seed: liquid(seed, "until = { heat_capacity_cv = 0.1, max_steps = 200000 }"), []),
 }
@@ -135,8 +144,26 @@ def observables(options: argparse.Namespace, name: str, seed: int) -> dict[str, 
             file, out = pathlib.Path(scratch) / "deck.toml", pathlib.Path(scratch) / "run"
             file.write_text(deck(seed))
             subprocess.run([options.ljmd, "run", str(file), "--out", str(out), "--quiet", *more], check=True, capture_output=True)
-            kept.write_text((out / "results.json").read_text())
+            results = json.loads((out / "results.json").read_text())["observables"]
+            kept.write_text(json.dumps({"observables": points(out) if name == "time correlations" else results}))
     return json.loads(kept.read_text())["observables"]
+
+
+def points(out: pathlib.Path) -> dict[str, dict]:
+    """Some rows of each function in the tables of a run, as results.json has observables."""
+    found = {}
+    for path in sorted(out.glob("*.csv")):
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        for name in rows[0]:
+            error = f"{name}_standard_error"
+            if error not in rows[0]:
+                continue
+            for point in range(min(POINTS, len(rows))):
+                row = rows[int((point + 0.37) / min(POINTS, len(rows)) * len(rows))]
+                at = ", ".join(f"{key} {float(value):.3g}" for key, value in list(row.items())[:2] if key in ("k", "time", "r", "angular_frequency"))
+                found[f"{name} at {at}"] = {"mean": float(row[name] or "nan"), "standard_error": float(row[error] or 0.0)}
+    return found
 
 
 def look_at(name: str, is_long: bool, runs: list[dict[str, dict]]) -> list[float]:
