@@ -124,9 +124,9 @@ KINDS = {
     "constant pressure": (True, lambda seed: liquid(seed, "steps = 60000", barostat=BAROSTAT), []),
     "film": (True, lambda seed: FILM.format(seed=seed, length="steps = 250000"), []),
     "short": (False, lambda seed: liquid(seed, "steps = 12000"), []),
-    "short, constant pressure": (False, lambda seed: liquid(seed, "steps = 20000", barostat=BAROSTAT), []),
+    "short, constant pressure": (False, lambda seed: liquid(seed, "steps = 40000", barostat=BAROSTAT), []),
     "short film": (False, lambda seed: FILM.format(seed=seed, length="steps = 20000"), []),
-    "four replicas": (False, lambda seed: liquid(100 * seed, "steps = 8000"), ["--replicas", "4", "--jobs", "1"]),
+    "four replicas": (False, lambda seed: liquid(100 * seed, "steps = 24000"), ["--replicas", "4", "--jobs", "1"]),
     "time correlations": (True, lambda seed: liquid(seed, "steps = 100000", analyses=CORRELATIONS), []),
     "until the pressure": (False, lambda seed: liquid(seed, "until = { pressure = 0.03, max_steps = 200000 }"), []),
     "until the heat capacity": (False, lambda seed: liquid(seed, "until = { heat_capacity_cv = 0.1, max_steps = 200000 }"), []),
@@ -198,6 +198,7 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seeds", type=int, help="instead of 60 and 200")
+    parser.add_argument("--first", type=int, default=1, help="the first seed")
     parser.add_argument("--folder", type=pathlib.Path, help="where results are kept")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -205,7 +206,7 @@ def main() -> int:
         print("| runs | quantity | scatter / error | without a remark | beyond 3 errors |\n|---|---|---|---|---|")
         ratios = []
         for name in options.kinds or KINDS:
-            seeds = range(1, 1 + (options.seeds or (60 if KINDS[name][0] else 200)))
+            seeds = range(options.first, options.first + (options.seeds or (60 if KINDS[name][0] else 200)))
             runs = list(pool.map(lambda seed, of=name: observables(options, of, seed), seeds))
             ratios += look_at(name, KINDS[name][0], runs)
     if ratios:
