@@ -6,13 +6,17 @@
 #include <array>
 #include <cmath>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/requested_temperature.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 #include "ljmd/report/lenient_data.hpp"
 #include "ljmd/report/quantity_names.hpp"
+#include "ljmd/report/reference_errors.hpp"
 
 namespace ljmd {
 
@@ -65,6 +69,20 @@ constexpr std::array<Comparable, 5> comparables{
      {"heat_capacity_cv", &FluidProperties::heat_capacity_cv},
      {"excess_chemical_potential", &FluidProperties::excess_chemical_potential}}};
 
+/// Of a run with tail correction that has measured g(r).
+std::optional<BeyondCutoff> beyond_cutoff_of(const Deck& deck, const EquationOfState& equation,
+                                             const std::filesystem::path& directory, double density) {
+    const std::filesystem::path file = directory / "rdf.csv";
+    if (!equation.full_potential || !input_is_there(file)) {
+        return std::nullopt;
+    }
+    try {
+        return beyond_cutoff(read_csv(file), fluid_spec(deck).potential.cutoff().radius, density);
+    } catch (const DataError&) {
+        return std::nullopt;  // its chart tells of what is wrong with the file
+    }
+}
+
 }  // namespace
 
 std::vector<Quantity> quantities_in(const Data& results) {
@@ -100,7 +118,8 @@ std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<
     return quantities;
 }
 
-std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density) {
+std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density,
+                           const std::filesystem::path& directory) {
     const auto equation = equation_of_fluid(fluid_spec(deck));
     if (!equation) {
         return "there is no equation of state of exactly this fluid";
@@ -120,10 +139,21 @@ std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, 
     }
     const FluidProperties there = properties(*equation, t, *density);
     const FluidProperties warmer = properties(*equation, t + error, *density);
+    const auto beyond = beyond_cutoff_of(deck, *equation, directory, *density);
     for (const auto& [name, property] : comparables) {
         if (Quantity* found = quantity_named(quantities, name)) {
+            const double of_temperature = std::abs(warmer.*property - there.*property);
+            const double of_equation = difference_of_equations(*equation, t, *density, property);
+            double of_cutoff = 0.0;
+            if (beyond && property == &FluidProperties::potential_energy) {
+                of_cutoff = beyond->energy;
+            } else if (beyond && property == &FluidProperties::pressure) {
+                of_cutoff = beyond->pressure;
+            } else if (beyond && property == &FluidProperties::compressibility_factor) {
+                of_cutoff = beyond->pressure / (t * *density);
+            }
             found->reference = there.*property;
-            found->reference_error = std::abs(warmer.*property - there.*property);
+            found->reference_error = std::hypot(of_temperature, of_equation, of_cutoff);
             found->reference_label = equation->name;
         }
     }

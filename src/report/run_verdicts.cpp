@@ -197,13 +197,10 @@ Verdict reference_verdict(const std::vector<Quantity>& quantities, const std::st
         return {"equation of state", "unknown", fmt::format("Not compared with an equation of state: {}.", equation)};
     }
     const bool agrees = farthest <= farthest_errors;
-    return {
-        "equation of state", agrees ? "good" : "doubt",
-        fmt::format("{} the equation of state {}: differs in {}.{}",
-                    agrees ? "Agrees with" : "Not within three errors of", equation, fmt::join(scores, ", "),
-                    agrees ? ""
-                           : " These errors are statistical. The accuracies of the equation and of the correction for "
-                             "the cutoff come on top.")};
+    return {"equation of state", agrees ? "good" : "doubt",
+            fmt::format(
+                "{} the equation of state {}: differs in {}. Errors of the run and those known of the equation count.",
+                agrees ? "Agrees with" : "Not within three errors of", equation, fmt::join(scores, ", "))};
 }
 
 }  // namespace ljmd

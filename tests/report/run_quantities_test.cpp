@@ -1,6 +1,9 @@
 #include "ljmd/report/run_quantities.hpp"
 
+#include <fstream>
+
 #include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/report/reference_errors.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;
@@ -45,21 +48,40 @@ TEST_CASE("an equation of state of the same fluid stands beside, with the error 
     const Deck deck = folder.load(full_fluid);
     std::vector<Quantity> quantities{{.name = "temperature", .value = 2.0, .error = 0.01},
                                      {.name = "pressure", .value = 1.0, .error = 0.1}};
-    CHECK(add_references(quantities, deck, 0.5) == "thol2016");
+    CHECK(add_references(quantities, deck, 0.5, folder / "") == "thol2016");
     const EquationOfState equation = equation_of_state("thol2016");
     CHECK(quantities[1].reference == properties(equation, 2.0, 0.5).pressure);
-    CHECK(quantities[1].reference_error.value() ==
-          Approx(0.01 * properties(equation, 2.0, 0.5).pressure_temperature_slope).epsilon(0.01));
+    const double of_temperature = 0.01 * properties(equation, 2.0, 0.5).pressure_temperature_slope;
+    const double of_equation = difference_of_equations(equation, 2.0, 0.5, &FluidProperties::pressure);
+    CHECK(of_equation > 0.0);
+    CHECK(quantities[1].reference_error.value() == Approx(std::hypot(of_temperature, of_equation)).epsilon(0.01));
     CHECK_FALSE(quantities[0].reference);
+
+    // With g(r) beyond the cutoff, what it does there counts, too.
+    DataTable rdf{"rdf", {"r", "g"}, {}};
+    std::ofstream file(folder / "rdf.csv");
+    file << "r,g\n";
+    for (int bin = 0; bin < 40; ++bin) {
+        const double r = 0.1 * bin + 0.05;
+        rdf.rows.push_back({r, r < 2.5 ? 0.0 : 1.5});
+        file << r << ',' << rdf.rows.back()[1] << '\n';
+    }
+    file.close();
+    const double of_cutoff = beyond_cutoff(rdf, 2.5, 0.5)->pressure;
+    CHECK(add_references(quantities, deck, 0.5, folder / "") == "thol2016");
+    CHECK(std::abs(of_cutoff) > of_equation);
+    CHECK(quantities[1].reference_error.value() ==
+          Approx(std::hypot(of_temperature, of_equation, of_cutoff)).epsilon(0.01));
 }
 
 TEST_CASE("where no equation holds, the reason is told") {
     const DeckFolder folder;
     std::vector<Quantity> two_phases{{.name = "temperature", .value = 0.8, .error = 0.01},
                                      {.name = "pressure", .value = 1.0}};
-    CHECK_THAT(add_references(two_phases, folder.load(full_fluid), 0.3), Contains("not reliable here"));
+    CHECK_THAT(add_references(two_phases, folder.load(full_fluid), 0.3, folder / ""), Contains("not reliable here"));
     CHECK_FALSE(two_phases[1].reference);
-    CHECK_THAT(add_references(two_phases, folder.load(), 0.8), Contains("no equation of state of exactly this fluid"));
+    CHECK_THAT(add_references(two_phases, folder.load(), 0.8, folder / ""),
+               Contains("no equation of state of exactly this fluid"));
     std::vector<Quantity> none;
-    CHECK_THAT(add_references(none, folder.load(full_fluid), 0.8), Contains("no state"));
+    CHECK_THAT(add_references(none, folder.load(full_fluid), 0.8, folder / ""), Contains("no state"));
 }

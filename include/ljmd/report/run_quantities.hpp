@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +19,12 @@ namespace ljmd {
 [[nodiscard]] std::vector<Quantity> quantities_in(const Data& results);
 
 /// Add the values of an equation of state at the measured temperature and density. Does nothing if there is no equation
-/// of this fluid, or if it is not reliable there.
-/// @param density  of a run at constant volume; with a barostat the measured one counts
+/// of this fluid, or if it is not reliable there. Their errors, as standard deviations, are known ones: the measured
+/// temperature's, the difference of two equations, and what g(r) does beyond the cutoff, see reference_errors.hpp.
+/// @param density    of a run at constant volume; with a barostat the measured one counts
+/// @param directory  of the run, whose rdf.csv is looked at if there is one
 /// @return why there are none, or from where they are: "thol2016"
-std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density);
+std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density,
+                           const std::filesystem::path& directory);
 
 }  // namespace ljmd

@@ -18,8 +18,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index functions = 4;    // F, C_L, C_T, S
-constexpr Index least_times = 8;  // that modes are fitted to
+constexpr Index functions = 4;          // F, C_L, C_T, S
+constexpr Index least_times = 8;        // that modes are fitted to
+constexpr double resolved_self = 0.02;  // F_s whose logarithm has a meaning
 
 std::vector<WaveVector> joined(const std::vector<WaveShell>& shells) {
     std::vector<WaveVector> all;
@@ -224,11 +225,13 @@ Eigen::VectorXd Scattering::modes_of(const Eigen::VectorXd& collective) const {
 
 /// D of each shell.
 Eigen::VectorXd Scattering::diffusion_of(const Eigen::VectorXd& self) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     Eigen::VectorXd all(static_cast<Index>(shells_.size()));
     for (Index shell = 0; shell < all.size(); ++shell) {
         const double k2 = mean_square_of_lengths(shells_[static_cast<std::size_t>(shell)]);
         const double passed = lags_.time(lags_.count - lags_.count / 2);
-        all[shell] = std::log(self[2 * shell] / self[2 * shell + 1]) / (k2 * passed);
+        const double end = self[2 * shell + 1];
+        all[shell] = end >= resolved_self ? std::log(self[2 * shell] / end) / (k2 * passed) : nan;
     }
     return all;
 }

@@ -123,8 +123,8 @@ PageContent fluid_page(const RunFacts& facts) {
         page.verdicts.push_back(reference_verdict({}, "they are of fluids, and this run measures a crystal"));
     } else if (facts.run) {
         add_if_readable(page.warnings, [&] {
-            const std::string equation =
-                add_references(page.quantities, facts.run->deck, number_in(facts.results, {"system", "density"}));
+            const std::string equation = add_references(
+                page.quantities, facts.run->deck, number_in(facts.results, {"system", "density"}), facts.directory);
             page.verdicts.push_back(reference_verdict(page.quantities, equation));
         });
     }

@@ -44,7 +44,7 @@ std::vector<Quantity> point_quantities(const fs::path& directory) {
     const RecordedRun run = recorded_run(directory);
     if (run.deck.is_fluid()) {
         const Data results = read_any_json(directory / "results.json");
-        static_cast<void>(add_references(quantities, run.deck, number_in(results, {"system", "density"})));
+        static_cast<void>(add_references(quantities, run.deck, number_in(results, {"system", "density"}), directory));
     }
     return quantities;
 }

@@ -35,7 +35,7 @@ namespace ljmd {
 /// Modes, of each wave number, with errors by a jackknife over 16 to 64 blocks of windows or origins (none with fewer):
 /// the speed c = w_s/k and the attenuation Gamma = z_s/k^2 of sound and the viscosity eta(k) of hydrodynamic_modes.hpp,
 /// where there are any, and D(k) = ln(F_s(k, t_max/2)/F_s(k, t_max))/(k^2 t_max/2), which is the coefficient of
-/// diffusion as k goes to 0; k^2 is the mean over the shell.
+/// diffusion as k goes to 0, where F_s(k, t_max) >= 0.02; k^2 is the mean over the shell.
 ///
 /// Tables, one row for each wave number and time or frequency: `fkt`: k, time, F, C_L, C_T with errors. `fskt`: k,
 /// time, F_s, error. `skw`: k, angular_frequency, S_kw, error. One row for each wave number: `modes`: k, sound_velocity
