@@ -14,6 +14,7 @@
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/options/registry.hpp"
+#include "ljmd/options/words_elsewhere.hpp"
 
 namespace ljmd {
 
@@ -172,10 +173,12 @@ void check_analysis_names(const std::vector<std::string>& names) {
     allowed.emplace_back("thermo");
     for (const std::string& name : names) {
         if (std::ranges::find(allowed, name) == allowed.end()) {
-            const std::string nearest = nearest_name(name, allowed);
-            throw InputError(fmt::format("unknown analysis {}\n  {}", in_quotes(name),
-                                         nearest.empty() ? fmt::format("allowed: {}", fmt::join(allowed, ", "))
-                                                         : fmt::format("did you mean '{}'?", nearest)));
+            std::string hint = word_elsewhere(name);
+            if (const std::string nearest = nearest_name(name, allowed); hint.empty()) {
+                hint = nearest.empty() ? fmt::format("allowed: {}", fmt::join(allowed, ", "))
+                                       : fmt::format("did you mean '{}'?", nearest);
+            }
+            throw InputError(fmt::format("unknown analysis {}\n  {}", in_quotes(name), hint));
         }
     }
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ljmd/deck/analysis_sense.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/mistake_report.hpp"
@@ -19,6 +22,8 @@ constexpr double unlikely_time_step = 0.02;  // [tau]; slightly above, Lennard-J
 constexpr double unlikely_density = 1.5;     // [sigma^-3]; 1.5 times the density of the crystal at its melting point
 constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; 6000 K for argon
 constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
+constexpr double core = 1.0;                 // [sigma]; where Lennard-Jones' potential is 0
+constexpr double unlikely_flight = 3.0;      // in units of the skin, of a free atom while a list is kept
 
 // Values that validation found wrong are skipped: their stand-ins say nothing about the deck, and each mistake is
 // reported once.
@@ -122,8 +127,16 @@ void check_temperature(const Placed<Table>& table, bool force, Diagnostics& diag
 
 constexpr const char* angstrom_hint = "for angstrom, give [argon] and write \"8.5 angstrom\"";
 
-void check_potential(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+void check_potential(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
     const Placed<PotentialTable>& potential = tables.potential;
+    if (potential.given(&PotentialTable::radius) && potential.radius < core && potential.sound(&PotentialTable::type) &&
+        potential.type == "lennard-jones") {
+        unlikely(force, potential.location(&PotentialTable::radius),
+                 fmt::format("'cutoff' in [potential] is {:.6g} sigma: below {:.6g} the core of the potential is cut, "
+                             "and atoms fly through each other until two of them blow up the run",
+                             potential.radius, core),
+                 "2.5 is usual", diagnostics);
+    }
     if (potential.given(&PotentialTable::radius) && potential.radius > unlikely_cutoff) {
         diagnostics.warning(
             potential.location(&PotentialTable::radius),
@@ -141,8 +154,30 @@ void check_potential(const Placed<FluidTables>& tables, Diagnostics& diagnostics
     report(potential_mistakes(potential.truncation, potential, tail), tables, diagnostics);
 }
 
+/// A list that is kept for a fixed number of steps must not become old: how far atoms fly meanwhile, were they free.
+void check_age_of_list(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
+    const Placed<NeighborSpec>& neighbors = tables.neighbors;
+    if (!neighbors.given(&NeighborSpec::every) || !(neighbors.skin > 0.0)) {
+        return;
+    }
+    double farthest = 0.0;
+    for (const Placed<Stage>& stage : tables.stages) {
+        const double temperature = stage.temperature.value_or(tables.system.temperature.value_or(0.0));
+        farthest = std::max(farthest, std::sqrt(3.0 * temperature) * stage.time_step);
+    }
+    const double flight = farthest * static_cast<double>(*neighbors.every);
+    if (flight > unlikely_flight * neighbors.skin) {
+        unlikely(force, neighbors.location(&NeighborSpec::every),
+                 fmt::format("'every' in [neighbors] is {}: atoms fly {:.2g} sigma in so many steps, and the skin is "
+                             "{:.6g}, so that atoms would meet unseen",
+                             *neighbors.every, flight, neighbors.skin),
+                 "leave it out: lists are rebuilt when they have to be", diagnostics);
+    }
+}
+
 /// Refuse settings that only a Verlet list supports.
-void check_search(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+void check_search(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
+    check_age_of_list(tables, force, diagnostics);
     const Placed<PerformanceTable>& performance = tables.performance;
     const Precision precision = performance.sound(&PerformanceTable::precision) ? precision_of(performance.precision)
                                                                                 : Precision::double_precision;
@@ -216,10 +251,10 @@ void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, 
         check_temperature(system, force, diagnostics);
     }
     if (tables.sound(&FluidTables::potential)) {
-        check_potential(tables, diagnostics);
+        check_potential(tables, force, diagnostics);
     }
     if (tables.sound(&FluidTables::neighbors) && tables.sound(&FluidTables::performance)) {
-        check_search(tables, diagnostics);
+        check_search(tables, force, diagnostics);
     }
     check_stages(tables, force, diagnostics);
     check_output(tables.output, has_units, diagnostics);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ljmd/core/text.hpp"
+#include "ljmd/options/words_elsewhere.hpp"
 
 namespace ljmd {
 namespace {
@@ -157,9 +158,11 @@ PlainValue choice(const KeyContext& context, const Value& value, const std::stri
     const auto& choices = context.key.choices;
     if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
     const std::string nearest = nearest_name(text, choices);
+    const std::string elsewhere = word_elsewhere(text);
+    const std::string similar = nearest.empty() ? "" : "did you mean '" + nearest + "'?";
     context.diagnostics.error(
         value.location, fmt::format("{} is {}, allowed: {}", context.subject(), in_quotes(text), context.key.allowed()),
-        nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+        elsewhere.empty() ? similar : elsewhere);
     return nearest.empty() ? fallback_value(context.key) : PlainValue(nearest);
 }
 

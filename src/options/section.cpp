@@ -10,6 +10,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/options/checked_value.hpp"
 #include "ljmd/options/key_paths.hpp"
+#include "ljmd/options/words_elsewhere.hpp"
 
 namespace ljmd {
 namespace {
@@ -100,6 +101,9 @@ std::string hint_for(const Entry& entry, const Schema& schema, const std::vector
                      const std::string& nearest) {
     if (const auto places = inner_places(schema, entry.key); !places.empty()) {
         return places_in_words(places, entry.key_location);
+    }
+    if (const std::string hint = word_elsewhere(entry.key); !hint.empty()) {
+        return hint;
     }
     if (!nearest.empty()) {
         return fmt::format("did you mean '{}'?", nearest);

@@ -163,6 +163,11 @@ TEST_CASE("what is merely unlikely is refused, and only warned of when forced") 
          "'temperature' in [[stage]]",
          ""},
         {{{"time_step = 0.004", "time_step = 0.02"}}, "time_step = 0.02", "'time_step' in [[stage]] is 0.02", ""},
+        {{{"cutoff = 2.0", "cutoff = 0.5"}}, "cutoff = 0.5", "the core of the potential is cut", ""},
+        {{{"[[stage]]", "[neighbors]\nskin = 0.3\nevery = 500\n[[stage]]"}},
+         "every = 500",
+         "'every' in [neighbors] is 500: atoms fly 3.5 sigma",
+         ""},
     };
     for (Wrong wrong : unlikely) {
         check_one(wrong, Severity::warning, true);
@@ -175,6 +180,8 @@ TEST_CASE("what is merely unlikely is refused, and only warned of when forced") 
               .empty());
     CHECK(complaints(changed(small_deck, {{"temperature = 1.0", "temperature = 50"}})).empty());
     CHECK(complaints(changed(small_deck, {{"time_step = 0.004", "time_step = 0.0199"}})).empty());
+    CHECK(complaints(changed(small_deck, {{"cutoff = 2.0", "cutoff = 1.0"}})).empty());
+    CHECK(complaints(changed(small_deck, {{"[[stage]]", "[neighbors]\nskin = 0.3\nevery = 100\n[[stage]]"}})).empty());
 }
 
 TEST_CASE("what has no effect, or one that few want, is warned of") {

@@ -20,7 +20,7 @@ Forecast forecast_of(const std::vector<std::string>& settings) {
 
 TEST_CASE("any start can be told the cost of, also one that no crystal of the deck's fits") {
     for (const std::vector<std::string>& settings :
-         {std::vector<std::string>{"system.lattice.cells=1", "potential.cutoff=0.8"},
+         {std::vector<std::string>{"system.lattice.cells=1", "system.density=0.4", "potential.cutoff=1"},
           {"system.density=1e-6", "potential.cutoff=20"},
           {"system.temperature=49", "stage.equilibrate.steps=0", "stage.production.steps=0"},
           {"system.lattice.cells=10", "potential.cutoff=8"}}) {

@@ -3,15 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_check.hpp"
+#include "ljmd/io/formats/format_elsewhere.hpp"
 
 namespace ljmd {
 
+namespace {
+
+std::string beginning_of(const std::filesystem::path& path) {
+    std::ifstream file = open_input(path);
+    std::string bytes(512, '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(std::max(file.gcount(), std::streamsize{0})));
+    return bytes;
+}
+
+}  // namespace
+
 std::optional<ReadableFormat> format_of(const std::filesystem::path& path) {
     TextFile file(path);  // refuses files that are not regular, which HDF5 would open
+    if (const std::string words = format_elsewhere(path, beginning_of(path)); !words.empty()) {
+        throw DataError(fmt::format("{}: {}", path.string(), words));
+    }
     for (const ReadableFormat& format : all_readable_formats()) {
         if (format.recognises(path, file)) {
             return format;

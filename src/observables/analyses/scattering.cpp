@@ -62,20 +62,26 @@ struct ScatteringOptions : AnalysisOptions {
         });
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
+        const std::vector<WaveShell> made = shells_in(run.box);
+        const auto waves = static_cast<Index>(made.size());
+        double all_vectors = 0.0;
+        for (const WaveShell& shell : made) {
+            all_vectors += static_cast<double>(shell.vectors.size());
+        }
         return with_long_times_size(long_times, lags.times(run), [&](const LagTimes& times) -> AnalysisSize {
             const Index window = correlation_window(times, run);
             const Index frames = run.steps / times.every + 1;
             const Index between = frames_between_origins(times, origins);
             const Index added = std::max((frames - times.count) / between, Index{0});
             const Index open_origins = (std::min(frames, times.count) + between - 1) / between;
-            const auto open = static_cast<double>(open_origins);
-            const auto all_vectors = static_cast<double>(shells * vectors);
             const double phases = 16.0 * all_vectors * static_cast<double>(run.atoms);
-            return {.kept = open * phases + 64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
-                            BlockingAccumulator::bytes(4 * shells * (times.count + 1), Covariance::diagonal,
-                                                       frames / window) +
-                            BlockingAccumulator::bytes(shells * (times.count + 1), Covariance::diagonal, added) +
-                            Scattering::bytes_of_modes(shells, times),
+            const auto averages = [&](Index functions, Index samples) {
+                return BlockingAccumulator::bytes(functions * waves * (times.count + 1), Covariance::diagonal, samples);
+            };
+            return {.kept = static_cast<double>(open_origins) * phases +
+                            64.0 * all_vectors * static_cast<double>(std::min(frames, window)) +
+                            averages(4, frames / window) + averages(1, added) +
+                            Scattering::bytes_of_modes(waves, times, frames / window, added),
                     .passing = phases};
         });
     }

@@ -90,8 +90,9 @@ Scattering::Scattering(Index atoms, double density, std::vector<WaveShell> shell
       collective_(width_of(shells_, collective_width(lags))),
       halves_(width_of(shells_, 2)) {}
 
-double Scattering::bytes_of_modes(Index shells, const LagTimes& lags) {
-    return JackknifeBlocks::bytes(shells * (collective_width(lags) + 2));
+double Scattering::bytes_of_modes(Index shells, const LagTimes& lags, Index windows, Index origins) {
+    return JackknifeBlocks::bytes(shells * collective_width(lags), windows) +
+           JackknifeBlocks::bytes(2 * shells, origins);
 }
 
 /// Each is a product of three powers of exp(-2 pi i x/L), one for each coordinate.

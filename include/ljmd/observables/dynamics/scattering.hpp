@@ -51,8 +51,8 @@ class Scattering : public Analysis {
     Scattering(Index atoms, double density, std::vector<WaveShell> shells, const LagTimes& lags, Index window,
                Index origins);
 
-    /// Memory of the blocks that modes are found from [bytes].
-    [[nodiscard]] static double bytes_of_modes(Index shells, const LagTimes& lags);
+    /// Memory of the blocks that modes are found from, of so many windows and time origins [bytes].
+    [[nodiscard]] static double bytes_of_modes(Index shells, const LagTimes& lags, Index windows, Index origins);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
     void sample(const State& state, const Evaluation& evaluation) override;

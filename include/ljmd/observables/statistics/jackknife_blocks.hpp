@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -38,8 +39,10 @@ class JackknifeBlocks {
     [[nodiscard]] Eigen::VectorXd errors(
         const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const;
 
-    /// Memory of the blocks, also in a checkpoint [bytes].
-    [[nodiscard]] static double bytes(Index width) { return 8.0 * 65.0 * static_cast<double>(width); }
+    /// Memory of the blocks of so many samples, or of any number, also in a checkpoint [bytes].
+    [[nodiscard]] static double bytes(Index width, Index samples = 64) {
+        return 8.0 * static_cast<double>(std::min(samples, Index{64}) + 1) * static_cast<double>(width);
+    }
 
     /// @throws CheckpointError for blocks of another width
     void archive(Archive& a);
