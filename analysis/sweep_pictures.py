@@ -31,8 +31,18 @@ MOST_COLOURS = len(style.CYCLE) - 1  # beyond them lines get the colours of a sc
 BESIDE = 4  # lines beyond which the legend stands beside the panel
 
 
-def choose_key(sweep: SweepTable, wanted: Optional[str]) -> str:
+SEED = "system.seed"
+
+
+def axes_of(sweep: SweepTable) -> list[str]:
+    """The varied keys, without a seed that is another one at each point."""
     keys = list(sweep.keys)
+    own = len(keys) > 1 and SEED in keys and len(set(sweep.keys[SEED])) == len(sweep.keys[SEED])
+    return [key for key in keys if not (own and key == SEED)]
+
+
+def choose_key(sweep: SweepTable, wanted: Optional[str]) -> str:
+    keys = axes_of(sweep)
     if wanted is None:
         return keys[-1]
     found = [key for key in keys if wanted in (key, key.rpartition(".")[2])]
@@ -147,7 +157,7 @@ def plot(sweep: SweepTable, observable: str, against: str) -> plt.Figure:
     axis = axis_of(sweep, observable, against)
     y = sweep.observables[observable]
     error = np.nan_to_num(sweep.observables.get(observable + ERROR, np.zeros(len(y))))
-    others = [key for key in sweep.keys if key != against]
+    others = [key for key in axes_of(sweep) if key != against]
     lines = lines_of(sweep, axis, y, others)
     beside = len(lines) > BESIDE or (axis.asked is not None and bool(others))
     figure, axes = plt.subplots(figsize=(8.2 if beside else 7.0, 4.9), constrained_layout=True)
@@ -176,7 +186,8 @@ def plot(sweep: SweepTable, observable: str, against: str) -> plt.Figure:
     axes.set_xlabel(axis.label)
     axes.set_ylabel(style.LABELS.get(observable, style.plain(observable.replace("_", " "))))
     draw_legend(axes, sweep, axis, bool(others), curves, beside)
-    style.head(figure, sweep.title, sweep.status)
+    alike = len(y) > 1 and SEED not in sweep.keys and "temperature" in sweep.observables
+    style.head(figure, sweep.title, "; ".join(filter(None, (sweep.status, "all points have one seed: they deviate alike" if alike else ""))))
     return figure
 
 

@@ -36,7 +36,6 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 2> merged_tables{"rdf", "sk"};  // those whose rows are averages at fixed places
 /// As many as independent samples are asked for elsewhere: the scatter of so many runs is known to 18 %.
 constexpr std::size_t enough_runs = 16;
-constexpr const char* seed_key = "system.seed";
 
 /// A stage name as a part of a key.
 std::string key_part(const std::string& name) {

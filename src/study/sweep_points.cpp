@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/input/deck_setting.hpp"
 
@@ -50,6 +51,22 @@ void check_keys(const std::vector<std::string>& keys, const std::vector<std::str
             diagnostics.error(from, fmt::format("{} is varied, and given by --set as well", in_quotes(key)));
         }
     }
+}
+
+SweepPoints with_seeds(SweepPoints points, std::uint64_t first) {
+    constexpr std::uint64_t largest = (std::uint64_t{1} << 53U) - 1;
+    if (std::ranges::find(points.keys, seed_key) != points.keys.end()) {
+        throw InputError(fmt::format("--seeds gives each point a seed of its own, but '{}' is varied", seed_key));
+    }
+    if (first > largest - points.values.size()) {
+        throw InputError(fmt::format("--seeds counts up from the deck's seed, {}: {} points go beyond the largest seed",
+                                     first, points.values.size()));
+    }
+    points.keys.emplace_back(seed_key);
+    for (std::vector<std::string>& values : points.values) {
+        values.push_back(fmt::format("{}", first++));
+    }
+    return points;
 }
 
 std::vector<std::string> short_keys(const std::vector<std::string>& keys) {

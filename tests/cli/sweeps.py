@@ -80,6 +80,26 @@ def a_list_of_points(t):
     t.equal([record["system"]["atoms"] for record in records], [125, 108], "atoms")
 
 
+def seeds_of_their_own(t):
+    """With --seeds each point is the run of the deck with the next seed; without it a line under the table says that they have one."""
+    t.deck(("seed = 7", "seed = 41"))
+    grid = ("sweep", "deck.toml", "--quiet", "--grid", "system.temperature=1.5|1.2|1.7")
+    t.contains(t.run_well(*grid, "--out", "alike").out, "All points have one seed")
+    told = t.run_well(*grid, "--seeds", "--out", "own").out
+    t.check("All points have one seed" not in told, "a line about seeds")
+    found = rows(t, "own/sweep.csv")
+    t.equal([row["system.seed"] for row in found], ["41", "42", "43"], "seeds")
+    t.run_well("run", "deck.toml", "--out", "alone", "--quiet", "--set", "system.temperature=1.7", "--set", "system.seed=43")
+    t.equal(outputs(t.dir / "own/points/temperature=1.7,seed=43"), outputs(t.dir / "alone"), "files of the last point")
+    page = json.loads(t.run_well("report", "own", "--json").out)
+    t.check(page["charts"] and all(not mark.get("group") for chart in page["charts"] for mark in chart["marks"]), "one line, not one a seed")
+    again = t.run_well(*grid, "--seeds", "--out", "own").out
+    t.equal(again, told, "the same sweep again")
+    t.contains(t.expect(2, t.run("sweep", "deck.toml", "--seeds", "--grid", "system.seed=1|2")).err, "'system.seed' is varied")
+    t.deck(text=STARS)
+    t.contains(t.expect(2, t.run("sweep", "deck.toml", "--seeds", "--grid", "stage.orbits.time_step=0.01|0.005")).err, "few bodies have no seed")
+
+
 def few_bodies(t):
     t.deck(text=STARS)
     grid = "body.1.position=[-1.0, 0.0]|[-1.5, 0.0],stage.orbits.time_step=0.01|0.005"
@@ -292,7 +312,7 @@ def cases():
              ("an empty list", b"", 2), ("a list with a header alone", b"system.density\n", 2),
              ("a list that is not text", b"\xff\xfe\n\x00\n", 3), ("a list that is not there", None, 3)]
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (a_grid_is_its_runs, a_list_of_points, few_bodies, killed_and_gone_on_with,
+            for test in (a_grid_is_its_runs, a_list_of_points, seeds_of_their_own, few_bodies, killed_and_gone_on_with,
                          the_deck_may_change_meanwhile, a_point_that_fails, a_point_that_is_helped, another_sweep, not_a_sweep,
                          in_use, warnings_are_said_once)] + [
         Case("stopped by SIGINT", stopped_and_gone_on_with(signal.SIGINT, 130)),

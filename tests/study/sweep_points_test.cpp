@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "ljmd/core/errors.hpp"
+
 using namespace ljmd;
 using Values = std::vector<std::string>;
 
@@ -47,6 +49,16 @@ TEST_CASE("no two points have one name, and no directory that of another's log")
 
 TEST_CASE("a point is made by the settings of its keys") {
     CHECK(point_settings({{"a.b", "c"}, {{"1", "x"}, {"2", "[1, 2]"}}}, 1) == Values{"a.b=2", "c=[1, 2]"});
+}
+
+TEST_CASE("points get seeds that count up, unless there are seeds already") {
+    const SweepPoints points{{"system.temperature"}, {{"1.2"}, {"1.3"}}};
+    const SweepPoints own = with_seeds(points, 42);
+    CHECK(own.keys == Values{"system.temperature", "system.seed"});
+    CHECK(own.values == std::vector<Values>{{"1.2", "42"}, {"1.3", "43"}});
+    CHECK_THROWS_AS(with_seeds(own, 1), InputError);
+    CHECK_NOTHROW(with_seeds(points, (std::uint64_t{1} << 53U) - 3));
+    CHECK_THROWS_AS(with_seeds(points, (std::uint64_t{1} << 53U) - 2), InputError);
 }
 
 TEST_CASE("names of many points that look alike are found one after the other") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -48,6 +49,13 @@ void check_keys(const std::vector<std::string>& keys, const std::vector<std::str
 /// @throws DataError  the file cannot be read
 [[nodiscard]] SweepPoints list_points(const std::filesystem::path& file, const std::vector<std::string>& settings,
                                       Diagnostics& diagnostics);
+
+inline constexpr const char* seed_key = "system.seed";
+
+/// The same points, each with a seed of its own: the given one, the next, and so on. Neighbouring seeds are as
+/// independent as any.
+/// @throws InputError  the seed is a varied key already, or the last seed is beyond 2^53 - 1, the largest of a deck
+[[nodiscard]] SweepPoints with_seeds(SweepPoints points, std::uint64_t first);
 
 /// Keys as headings: their last parts, "temperature", or the whole key if that is ambiguous.
 /// @pre check_keys() accepts the keys, here and below

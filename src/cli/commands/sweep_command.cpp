@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -10,6 +12,7 @@
 #include "ljmd/cli/studies/study_mode_options.hpp"
 #include "ljmd/cli/studies/study_steps.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/io/files/claimed_file.hpp"
@@ -34,6 +37,7 @@ struct SweepOptions {
     std::vector<std::string> grids{};     ///< "KEY=FROM:TO:COUNT,KEY=A|B|C", see grid_points()
     std::string list{};                   ///< CSV file, see list_points()
     std::vector<std::string> settings{};  ///< arguments of --set
+    bool seeds = false;                   ///< each point has its own
     std::string out{};                    ///< directory; empty: runs/<deck>-sweep
     int jobs = 0;                         ///< points at a time; 0: the number of processors
     bool force = false;
@@ -41,6 +45,21 @@ struct SweepOptions {
     bool json = false;
     StudyMode mode{};
 };
+
+/// The seed that --seeds counts from. @pre the points are good
+std::uint64_t seed_of(const Source& deck, const SweepPlan& plan) {
+    Diagnostics diagnostics;
+    std::vector<std::string> settings = plan.settings;
+    for (const std::string& setting : point_settings(plan.points, 0)) {
+        settings.push_back(setting);
+    }
+    const auto first = load_deck_text(deck.name, deck.text, settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    if (!first->is_fluid()) {
+        throw InputError("--seeds: few bodies have no seed. Nothing was run.");
+    }
+    return static_cast<std::uint64_t>(first->system().seed);
+}
 
 /// The checked deck and points: all mistakes are reported before any file is touched.
 SweepPlan checked_plan(const SweepOptions& options) {
@@ -57,6 +76,9 @@ SweepPlan checked_plan(const SweepOptions& options) {
     check_points(*deck.source, plan.settings, plan.points, options.list.empty() ? "--grid" : "--list", options.force,
                  diagnostics);
     diagnostics.throw_if_errors();
+    if (options.seeds) {
+        plan.points = with_seeds(plan.points, seed_of(*deck.source, plan));
+    }
     if (!options.quiet) {
         print_warnings(diagnostics);
     }
@@ -67,6 +89,9 @@ fs::path directory_of(const SweepOptions& options) {
     return options.out.empty() ? fs::path("runs") / output_name(fs::path(options.deck).stem().string(), "-sweep")
                                : fs::path(options.out);
 }
+
+constexpr const char* shared_seed =
+    "All points have one seed: their statistical deviations are alike. --seeds gives each its own.\n";
 
 void tell_point(const RunLine& line, std::size_t done, std::size_t all) {
     const SweptPoint& point = dynamic_cast<const PointRun&>(line).point();
@@ -110,6 +135,9 @@ std::vector<std::string> print_table(const SweepPlan& plan, const std::vector<Po
     directory.require_at_its_path();
     write_file_atomically(directory / "sweep.csv", sweep_csv(swept));
     Document report = sweep_report(swept, result_columns());
+    if (swept.points.size() > 1 && std::ranges::find(swept.keys, seed_key) == swept.keys.end()) {
+        report.text += shared_seed;
+    }
     report.text += told_files(directory.path());
     print_document(report, as_json);
     return failures;
@@ -140,6 +168,10 @@ class SweepCommand : public Command {
         command.add_option("--set", options_.settings, "replace a value of the deck at all points")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
+        command.add_flag(
+            "--seeds", options_.seeds,
+            "each point has a seed of its own, counted up from the deck's; without it all points have one, "
+            "and deviate alike");
         add_jobs(command, options_.jobs,
                  "points at a time; one for each processor by default, with --slurm one in each task");
         command.add_option("--out", options_.out, "directory, runs/DECK-sweep by default")->type_name("DIR");

@@ -54,7 +54,7 @@ bool is_gro(std::string_view beginning) {
 }
 
 /// A text of Python in double quotes.
-std::string quoted(const std::filesystem::path& path) {
+std::string python_text(const std::filesystem::path& path) {
     std::string text = path.string();
     std::string escaped;
     for (const char c : text) {
@@ -73,20 +73,20 @@ std::string format_elsewhere(const std::filesystem::path& path, std::string_view
     if (!is_known && !is_gro(beginning)) {
         return "";
     }
-    const std::string in = quoted(path);
+    const std::string in = python_text(path);
     if (is_known && !found->ase) {
         return fmt::format(
             "is a trajectory in {}, which is not read here; with MDAnalysis, these lines of Python make an H5MD file "
             "of it\n"
             "  import MDAnalysis\n"
             "  MDAnalysis.Universe({}, {}, topology_format=\"MINIMAL\").atoms.write({}, frames=\"all\")",
-            found->name, in, in, quoted(path.stem().string() + ".h5md"));
+            found->name, in, in, python_text(path.stem().string() + ".h5md"));
     }
     return fmt::format(
         "is in the format {}, which is not read here; with ASE, these lines of Python make an extended XYZ file of it\n"
         "  import ase.io\n"
         "  ase.io.write({}, ase.io.read({}, \":\"), format=\"extxyz\")",
-        is_known ? found->name : "GRO", quoted(path.stem().string() + ".xyz"), in);
+        is_known ? found->name : "GRO", python_text(path.stem().string() + ".xyz"), in);
 }
 
 }  // namespace ljmd

@@ -102,7 +102,7 @@ AnalysisMethod scattering() {
             "intermediate scattering functions F(k, t) and F_s(k, t), longitudinal and transverse currents, dynamic "
             "structure factor S(k, omega), sound, viscosity and diffusion at these wave numbers, written to fkt.csv, "
             "fskt.csv, skw.csv and modes.csv",
-        .files = {"fkt", "fskt", "modes", "skw"},
+        .files = {"fkt", "fskt", "skw", "modes"},
         .follows_time = true,
         .needs = {.velocities = true, .unwrapped_positions = true},
         .quantities = {{"k", "k sigma", ""},

@@ -99,6 +99,10 @@ std::vector<VariedKey> keys_of(const SweepPlan& plan, const Finished& finished) 
         key.different = std::set<std::string>(key.texts.begin(), key.texts.end()).size();
         keys.push_back(std::move(key));
     }
+    if (keys.size() > 1) {  // a seed of its own for each point is no axis
+        std::erase_if(keys,
+                      [](const VariedKey& key) { return key.heading == "seed" && key.different == key.texts.size(); });
+    }
     return keys;
 }
 
