@@ -13,8 +13,8 @@
 
 All numbers are in reduced units, sigma = epsilon = m = k_B = 1, energies per atom. docs/python.md is the tutorial.
 
-Names are loaded when they are first used. What reads results (`ljmd.open`, `ljmd.open_sweep`, `ljmd.reading`) is Python alone;
-all else takes the compiled part, ljmd._core, and raises ImportError where that is missing.
+Names are loaded when they are first used. What reads results (`ljmd.open`, `ljmd.open_sweep`, `ljmd.reading`)
+and `ljmd.style` are Python alone; all else takes the compiled part, ljmd._core, and raises ImportError where that is missing.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it 
     from .external import external_force
     from .frames import Frames
     from .observables import observable
+    from .pictures import style
     from .potentials import Pair, pair
     from .reading.observables import Observable, Quantity
     from .reference_values import Reference, ReferenceValue, reference
@@ -57,6 +58,7 @@ _PLACES = {
     "external": ("external_force",),
     "frames": ("Frames",),
     "observables": ("observable",),
+    "pictures": ("style",),
     "potentials": ("Pair", "pair"),
     "reading.observables": ("Observable", "Quantity"),
     "reference_values": ("Reference", "ReferenceValue", "reference"),
