@@ -8,6 +8,7 @@ from unittest import mock
 
 import ljmd
 import ljmd._progress
+from alarm import waiting
 from cases import Case, small_deck
 
 try:
@@ -83,7 +84,7 @@ class Shown(Case):
         cell = nbformat.v4.new_code_cell(re.sub(r"^ {12}", "", source, flags=re.M))
         kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
         seen = []
-        client = nbclient.NotebookClient(nbformat.v4.new_notebook(cells=[cell], metadata=kernel), timeout=900,
+        client = nbclient.NotebookClient(nbformat.v4.new_notebook(cells=[cell], metadata=kernel), timeout=waiting.PATIENCE,
                                          resources={"metadata": {"path": str(self.folder)}})
         update = client.process_message
 
