@@ -82,6 +82,21 @@ state = ljmd.eos(1.5, 0.5)
 state.pressure + ljmd.eos(0.9).liquid.density
 ljmd.trajectory("a.xyz").rdf(bins=20).table("rdf")
 ljmd.open("runs/argon")["pressure"].mean
+ljmd.open_sweep("runs/gas")[0].run["pressure"].mean
+for name, observable in run.items():
+    name.upper(), observable.si
+with ljmd.Simulation(deck).arrays() as arrays:
+    arrays.positions.sum()
+for simulation in ljmd.Simulation(deck).steps(3):
+    simulation.time
+
+
+@ljmd.observable
+def third(s: object) -> float:
+    return 1.0
+
+
+ljmd.resume("runs/argon", steps=2, observables=third, walltime="2h").stages
 '''
 
 WRONG = [("deck.system.densty = 3", '"System" has no attribute "densty"'), ("deck.stages[0].stepz = 4", '"Stage" has no attribute "stepz"'),
@@ -132,14 +147,15 @@ class Checked(Case):
 
     def test_the_lines_of_the_pages_have_no_errors(self):
         """As strict as mypy can be; only functions of a page need no annotations."""
-        scripts = []
+        scripts = [self.folder / "right.py"]
+        scripts[0].write_text(RIGHT, encoding="utf-8")
         for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
             blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.M | re.S)
             apart = [block for block in blocks if block.startswith("# file: ")]  # scripts of their own; the others are one program
             for text in filter(None, ["".join(block for block in blocks if block not in apart), *apart]):
                 scripts.append(self.folder / f"{page.stem.replace('-', '_')}_{len(scripts)}.py")
                 scripts[-1].write_text(text, encoding="utf-8")
-        self.assertGreater(len(scripts), 3)
+        self.assertGreater(len(scripts), 4)
         self.assertEqual(self.mypy(scripts, "--strict", "--allow-untyped-defs", PYTHONPATH=str(PACKAGE)), [])
 
 
