@@ -15,6 +15,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from ljmd import _output  # noqa: E402
 from ljmd.errors import FileError  # noqa: E402
+from ljmd.pictures import STYLE  # noqa: E402
 from plain_text import lines, plain  # noqa: E402
 
 # What pictures have in them beside what is seen: who drew them, by which they are known, and no date, so that the same picture is the
@@ -25,7 +26,6 @@ MARKS = {".png": b"Software\0ljmd", ".pdf": b"/Creator (ljmd)", ".svg": b"<dc:ti
 FORMATS = tuple(METADATA)
 
 # The colours of the style file, Okabe and Ito's palette: one a body, or an integrator.
-STYLE = Path(__file__).resolve().parent / "ljmd.mplstyle"
 CYCLE = tuple(matplotlib.rc_params_from_file(STYLE, use_default_template=False)["axes.prop_cycle"].by_key()["color"])
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK = CYCLE
 GREY = "#999999"

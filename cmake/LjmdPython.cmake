@@ -90,7 +90,8 @@ endfunction()
 # The files of the package but for the extension, relative to its folder.
 function(ljmd_python_sources variable)
     set(package ${PROJECT_SOURCE_DIR}/python/ljmd)
-    file(GLOB_RECURSE modules CONFIGURE_DEPENDS RELATIVE ${package} ${package}/*.py ${package}/*.pyi ${package}/py.typed)
+    file(GLOB_RECURSE modules CONFIGURE_DEPENDS RELATIVE ${package} ${package}/*.py ${package}/*.pyi ${package}/*.mplstyle
+         ${package}/py.typed)
     set(${variable} ${modules} PARENT_SCOPE)
 endfunction()
 

@@ -1,14 +1,14 @@
 """What the scripts of the exercises share: stages of a run, means with errors, answers in one form, the look of pictures."""
 
-import pathlib
-
 import matplotlib
+
+import ljmd
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 import numpy as np  # noqa: E402
 
-plt.style.use(pathlib.Path(__file__).resolve().parents[2] / "analysis/ljmd.mplstyle")
+ljmd.style()
 
 
 def columns_of_stages(run, *names) -> dict:

@@ -13,8 +13,8 @@
 
 All numbers are in reduced units, sigma = epsilon = m = k_B = 1, energies per atom. docs/python.md is the tutorial.
 
-Names are loaded when they are first used. What reads results (`ljmd.open`, `ljmd.open_sweep`, `ljmd.reading`) is Python alone;
-all else takes the compiled part, ljmd._core, and raises ImportError where that is missing.
+Names are loaded when they are first used. What reads results (`ljmd.open`, `ljmd.open_sweep`, `ljmd.reading`)
+and `ljmd.style` are Python alone; all else takes the compiled part, ljmd._core, and raises ImportError where that is missing.
 """
 
 from __future__ import annotations
@@ -23,26 +23,28 @@ import importlib
 import sys
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it against _PLACES
-    from ._core import build
-    from .comparisons import Comparison
-    from .deck import Check, Deck
-    from .equation_of_state import Properties, eos, equations
-    from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
-                         PhysicsError, RunWarning, ThreadsError)
-    from .evaluation import Evaluation, Evaluator, evaluate
-    from .external import external_force
-    from .frames import Frames
-    from .observables import observable
-    from .potentials import Pair, pair
-    from .reading.observables import Observable, Quantity
-    from .reference_values import Reference, ReferenceValue, reference
-    from .replicas import Replicas
-    from .results import Results, Run, open, resume  # noqa: A004, ljmd.open
-    from .simulation import Arrays, Simulation
-    from .sweeps import Point, Sweep, open_sweep
-    from .tables import ARGON, PotentialTable, Stage, Table
-    from .trajectories import Trajectory, trajectory
+if TYPE_CHECKING:  # what type checkers see, `X as X` for those that are strict; tests/python/lazy_test.py holds it against _PLACES
+    from ._core import build as build
+    from .comparisons import Comparison as Comparison
+    from .deck import Check as Check, Deck as Deck
+    from .equation_of_state import Properties as Properties, eos as eos, equations as equations
+    from .errors import (CheckpointError as CheckpointError, DataError as DataError, Error as Error, FileError as FileError,
+                         InputError as InputError, InternalError as InternalError, Interrupted as Interrupted, InUseError as InUseError,
+                         PhysicsError as PhysicsError, RunWarning as RunWarning, ThreadsError as ThreadsError)
+    from .evaluation import Evaluation as Evaluation, Evaluator as Evaluator, evaluate as evaluate
+    from .external import external_force as external_force
+    from .frames import Frames as Frames
+    from .observables import observable as observable
+    from .pictures import style as style
+    from .potentials import Pair as Pair, pair as pair
+    from .reading.observables import Observable as Observable, Quantity as Quantity
+    from .reference_values import Reference as Reference, ReferenceValue as ReferenceValue, reference as reference
+    from .replicas import Replicas as Replicas
+    from .results import Results as Results, Run as Run, open as open, resume as resume  # noqa: A004, ljmd.open
+    from .simulation import Arrays as Arrays, Simulation as Simulation
+    from .sweeps import Point as Point, Sweep as Sweep, open_sweep as open_sweep
+    from .tables import ARGON as ARGON, PotentialTable as PotentialTable, Stage as Stage, Table as Table
+    from .trajectories import Trajectory as Trajectory, trajectory as trajectory
 
     __version__: str
 
@@ -57,6 +59,7 @@ _PLACES = {
     "external": ("external_force",),
     "frames": ("Frames",),
     "observables": ("observable",),
+    "pictures": ("style",),
     "potentials": ("Pair", "pair"),
     "reading.observables": ("Observable", "Quantity"),
     "reference_values": ("Reference", "ReferenceValue", "reference"),

@@ -9,6 +9,7 @@ import numbers
 import operator
 import os
 import pathlib
+import sys
 import warnings
 from collections.abc import Iterable, Mapping
 
@@ -190,4 +191,8 @@ def seconds_of(walltime):
 
 
 def warn(text: str) -> None:
-    warnings.warn(text.removeprefix("warning: ").rstrip(), RunWarning, stacklevel=3)
+    """A warning at the line of the user's that has called the package, itself or by ASE."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] in (__package__, "ase"):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(text.removeprefix("warning: ").rstrip(), RunWarning, stacklevel=level)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ._check import shown, text
 from .errors import InputError
 
@@ -22,7 +24,7 @@ class Decorated:
         if function is not None:
             self(function)
 
-    def __call__(self, argument):
+    def __call__(self, argument: Any) -> Any:
         """Decorate a function; afterwards, call it."""
         if self.function is not None:
             return self.function(argument)

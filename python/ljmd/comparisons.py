@@ -6,6 +6,7 @@ import json
 import pathlib
 import tempfile
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class Comparison(NamedTables):
     tables: "trajectory" (distances of atoms at each step) and "rdf" of a fluid, "errors" of few bodies
     """
 
-    def __init__(self, data: dict, tables: dict, directory=None):
+    def __init__(self, data: dict[str, Any], tables: dict[str, Any], directory: pathlib.Path | None = None):
         self.data, self._tables, self.directory = data, tables, directory
 
     @property
@@ -37,32 +38,32 @@ class Comparison(NamedTables):
         """Whether all checks have passed."""
         return bool(self.data["passed"])
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         raise InputError("a comparison is no truth value: look at its `passed`")
 
     @property
-    def checks(self):
+    def checks(self) -> Any:
         """A row for each check: name, value, tolerance, passed."""
         rows = self.data["checks"]
         return mixed_table({key: [row[key] for row in rows] for key in ("name", "value", "tolerance", "passed")})
 
     @property
-    def failures(self) -> list:
+    def failures(self) -> list[str]:
         """Names of the checks that have failed."""
         return [check["name"] for check in self.data["checks"] if not check["passed"]]
 
     @property
-    def diagnoses(self) -> list:
+    def diagnoses(self) -> list[str]:
         """Of an engine: known mistakes that explain what has failed (docs/judge.md)."""
         return list(self.data.get("diagnoses", []))
 
     @property
-    def not_judged(self) -> list:
+    def not_judged(self) -> list[str]:
         """Of an engine: parts that its answer lacks, or is too short for."""
         return list(self.data.get("not_judged", []))
 
     @property
-    def averages(self):
+    def averages(self) -> Any:
         """Of a fluid: a row for each average, with name, ljmd and peer, their standard errors, and the difference in its errors."""
         rows = self.data.get("averages", {}).get("observables", {})
         return mixed_table({

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterable, Mapping
-from typing import Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _check, _core, _output
 from ._text import html_pre, html_table
@@ -15,24 +15,20 @@ from .replicas import Replicas, run_replicas
 from .results import Run
 from .simulation import Simulation
 from .sweeps import Sweep, sweep
-from .tables import (Analyses, Attribute, Force, Neighbors, Output, Performance, Potential, Stage, Substance, System, Table,
-                     stage_of)
+from .tables import Analyses, Attribute, Stage, Table, stage_of
 
-_Kind = TypeVar("_Kind")
-
+if TYPE_CHECKING:
+    from ._keys import Body, Force, Neighbors, Output, Performance, Potential, Substance, System
+    from ._types import Function, Functions, Path, Points, Progress, Walltime
 
 _Assigned = Mapping[str, Any]
 _ATTRIBUTES = {"argon": "substance"}  # of a deck, by the key
 _TABLES = frozenset(("system", "potential", "neighbors", "performance", "output", "argon", "force"))
 
 
-def _table(key: str, kind: type[_Kind], meaning: str) -> Attribute[_Kind, _Assigned | None]:
+def _table(key: str, meaning: str) -> Any:
     """A table of decks as an attribute of them."""
-    def get(deck) -> _Kind:
-        return deck._table(key)
-
-    get.__doc__ = meaning
-    return Attribute(get, lambda deck, value: deck._put(key, value))
+    return Attribute(lambda deck: deck._table(key), lambda deck, value: deck._put(key, value), None, meaning)
 
 
 class Deck:
@@ -45,7 +41,7 @@ class Deck:
 
     __slots__ = ("_tables", "_origin", "_pair")
 
-    def __init__(self, tables: dict | None = None):
+    def __init__(self, tables: _Assigned | None = None):
         self._tables: dict = {}
         self._origin: tuple | None = None  # name, text, settings and tables, as text, of what was read
         self._pair: Pair | None = None
@@ -53,7 +49,7 @@ class Deck:
             self._put(name, value)
 
     @classmethod
-    def load(cls, path, *, set: dict | None = None) -> "Deck":  # noqa: A002, the word of the command line
+    def load(cls, path: Path, *, set: _Assigned | None = None) -> "Deck":  # noqa: A002, the word of the command line
         """The deck in a file. `set` replaces values as --set does: {"stage.production.steps": 500}.
 
         Raises InputError for a file that cannot be read, or that is no TOML.
@@ -62,7 +58,7 @@ class Deck:
         return cls._read(path, _core.read_file(path), set)
 
     @classmethod
-    def parse(cls, text: str, *, set: dict | None = None, name: str = "Deck") -> "Deck":  # noqa: A002
+    def parse(cls, text: str, *, set: _Assigned | None = None, name: str = "Deck") -> "Deck":  # noqa: A002
         """The deck in a text. `name` stands before its lines in messages."""
         return cls._read(_check.text(name, "name"), _check.text(text, "text"), set)
 
@@ -74,9 +70,9 @@ class Deck:
         return deck
 
     @classmethod
-    def fluid(cls, atoms: int = 864, density: float = 0.8442, temperature: float = 0.722, *, substance: dict | None = None,
-              lattice: str = "fcc", file=None, potential: str = "lennard-jones", cutoff: float = 2.5,
-              truncation: str = "cut", tail: bool | None = None, seed: int = 1, title: str | None = None, **parameters) -> "Deck":
+    def fluid(cls, atoms: int = 864, density: float | str = 0.8442, temperature: float | str = 0.722, *, substance: _Assigned | None = None,
+              lattice: str = "fcc", file: Path | None = None, potential: str = "lennard-jones", cutoff: float | str = 2.5,
+              truncation: str = "cut", tail: bool | None = None, seed: int = 1, title: str | None = None, **parameters: float | str) -> "Deck":
         """A fluid in a periodic box.
 
         atoms, density, temperature: N, N/V [sigma^-3], T [epsilon/k_B]; also with a unit where there is a substance: "86 K"
@@ -91,7 +87,7 @@ class Deck:
 
         The deck has no stages yet: `deck.stages = [ljmd.Stage(...), ...]`.
         """
-        start = {"file": file} if file is not None else {"lattice": {"type": lattice, "atoms": atoms}, "density": density}
+        start: dict = {"file": file} if file is not None else {"lattice": {"type": lattice, "atoms": atoms}, "density": density}
         if tail is not None:
             tail = _check.truth(tail, "tail")
         elif isinstance(truncation, str) and truncation in ("cut", "switched"):
@@ -101,7 +97,7 @@ class Deck:
                     "potential": {key: value for key, value in forces.items() if value is not None}})
 
     @classmethod
-    def few_body(cls, force: str, bodies: list, *, title: str | None = None, **options) -> "Deck":
+    def few_body(cls, force: str, bodies: Iterable[_Assigned], *, title: str | None = None, **options: float) -> "Deck":
         """A few bodies without a box, in units of your own.
 
         force: "newtonian-gravity", "pendulum", "radial-kepler" or "harmonic"; options are its keys
@@ -134,7 +130,7 @@ class Deck:
         else:
             self._tables[name] = value
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         return self._tables[name]
 
     @property
@@ -143,7 +139,7 @@ class Deck:
         return self._tables.get("title", "")
 
     @title.setter
-    def title(self, text):
+    def title(self, text: str | None) -> None:
         self._put("title", text)
 
     def _get_stages(self) -> list[Stage]:
@@ -155,14 +151,14 @@ class Deck:
 
     stages = Attribute(_get_stages, _give_stages)
 
-    @property
-    def bodies(self) -> list:
+    def _get_bodies(self) -> list[Body]:
         """Of a few-body deck: tables with mass, position, velocity."""
         return self._tables.setdefault("body", [])
 
-    @bodies.setter
-    def bodies(self, bodies):
+    def _give_bodies(self, bodies: Iterable[_Assigned] | None) -> None:
         self._put("body", bodies)
+
+    bodies = Attribute(_get_bodies, _give_bodies)
 
     def _get_potential(self) -> Potential:
         """How pairs of atoms interact: a table, or an `ljmd.Pair`, a function of your own."""
@@ -173,20 +169,20 @@ class Deck:
         self._put("potential", self._pair.stand_in if self._pair else potential)
 
     potential = Attribute(_get_potential, _give_potential)
-    system = _table("system", System, "Atoms and box: lattice or file, density, temperature, seed.")
-    neighbors = _table("neighbors", Neighbors, "How pairs are found.")
-    performance = _table("performance", Performance, "How forces are computed: precision.")
-    output = _table("output", Output, "Files: thermo, trajectory, checkpoint.")
-    analysis = _table("analysis", Analyses, "What is measured in the sampled stages: deck.analysis.rdf(bins=200).")
-    substance = _table("argon", Substance, "A real substance, with sigma, epsilon and mass: adds SI units.")
-    force = _table("force", Force, "Of a few-body deck.")
+    system: Attribute[System, _Assigned | None] = _table("system", "Atoms and box: lattice or file, density, temperature, seed.")
+    neighbors: Attribute[Neighbors, _Assigned | None] = _table("neighbors", "How pairs are found.")
+    performance: Attribute[Performance, _Assigned | None] = _table("performance", "How forces are computed: precision.")
+    output: Attribute[Output, _Assigned | None] = _table("output", "Files: thermo, trajectory, checkpoint.")
+    analysis: Attribute[Analyses, _Assigned | None] = _table("analysis", "What is measured in the sampled stages: deck.analysis.rdf(bins=200).")
+    substance: Attribute[Substance, _Assigned | None] = _table("argon", "A real substance, with sigma, epsilon and mass: adds SI units.")
+    force: Attribute[Force, _Assigned | None] = _table("force", "Of a few-body deck.")
 
     def _table(self, name) -> Any:
         if name not in self._tables:
             self._put(name, {})
         return self._tables[name]
 
-    def set(self, key: str, value) -> "Deck":
+    def set(self, key: str, value: Any) -> "Deck":
         """Replace one value as `--set key=value` does: deck.set("stage.production.steps", 500)."""
         name, source, settings = self._source()
         source = _core.deck_text(source, None)  # as it is now
@@ -228,7 +224,7 @@ class Deck:
         _, source, settings = self._source()
         return _core.deck_text(self._tables if settings else source, self._core_pair())
 
-    def save(self, path, *, force: bool = False) -> None:
+    def save(self, path: Path, *, force: bool = False) -> None:
         """Write the deck to a file, for the command line.
 
         force: replace a file that is there; a link is replaced itself, never what it leads to
@@ -263,16 +259,17 @@ class Deck:
         return Check(data, text, warnings)
 
     @overload
-    def run(self, directory=..., *, observables=..., external=..., threads: int | None = ..., simd: str | None = ..., progress=...,
-            replace: bool = ..., force: bool = ..., walltime=..., replicas: None = ..., jobs: None = ...) -> Run: ...
+    def run(self, directory: Path | None = ..., *, observables: Functions = ..., external: Function | None = ..., threads: int | None = ...,
+            simd: str | None = ..., progress: Progress = ..., replace: bool = ..., force: bool = ..., walltime: Walltime = ...,
+            replicas: None = ..., jobs: None = ...) -> Run: ...
 
     @overload
-    def run(self, directory, *, observables=..., external=..., threads: int | None = ..., simd: str | None = ..., progress=...,
-            replace: bool = ..., force: bool = ..., walltime=..., replicas: int, jobs: int | None = ...) -> Replicas: ...
+    def run(self, directory: Path, *, replicas: int, jobs: int | None = ..., progress: Progress = ..., replace: bool = ...,
+            force: bool = ...) -> Replicas: ...
 
-    def run(self, directory=None, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, progress=True,
-            replace: bool = False, force: bool = False, walltime=None, replicas: int | None = None,
-            jobs: int | None = None) -> Run | Replicas:
+    def run(self, directory: Path | None = None, *, observables: Functions = (), external: Function | None = None, threads: int | None = None,
+            simd: str | None = None, progress: Progress = True, replace: bool = False, force: bool = False, walltime: Walltime = None,
+            replicas: int | None = None, jobs: int | None = None) -> Run | Replicas:
         """Run all stages.
 
         directory: where results, tables and checkpoints are written, so that the run can be resumed; None: nowhere
@@ -280,7 +277,7 @@ class Deck:
         external: a force of your own on the atoms, see `ljmd.external_force`
         threads: no result depends on it; OMP_NUM_THREADS or 1 by default
         simd: instruction set of the kernels, one of `ljmd.build()["simd_levels"]`
-        progress: a bar; or a function that is called with the number of steps done, 20 times a second
+        progress: a line with per cent and speed; or a function that is called with the number of steps done, 20 times a second
         replace: an earlier run in the directory
         force: accept unlikely values
         walltime: stop after that long with a checkpoint: seconds or "2h"; with a directory
@@ -305,7 +302,8 @@ class Deck:
         return Run.in_directory(self._loaded(force), directory, observables=observables, external=external, threads=threads, simd=simd,
                                 progress=progress, replace=replace, walltime=walltime)
 
-    def sweep(self, points, *, jobs: int | None = None, directory=None, progress=True, force: bool = False) -> Sweep:
+    def sweep(self, points: Points, *, jobs: int | None = None, directory: Path | None = None, progress: Progress = True,
+              force: bool = False) -> Sweep:
         """Run this deck at many settings, several points at a time, each with one thread in a process of its own: `ljmd sweep`.
 
             sweep = deck.sweep({"system.temperature": [1.0, 1.5, 2.0], "system.density": [0.2, 0.5]}, jobs=2, directory="runs/gas")
@@ -315,7 +313,7 @@ class Deck:
             Keys are those of `Deck.set`
         jobs: points at a time; one for each processor by default
         directory: where the runs are kept; None: a temporary one, which lives as long as the sweep
-        progress: a bar; or a function that is called with the number of points done
+        progress: a line with per cent and speed; or a function that is called with the number of points done
         force: accept unlikely values, and replace another sweep in the directory, but for points that both have
 
         The same call continues an interrupted sweep, and tries failed points again. Ctrl-C stops all points with
@@ -324,8 +322,8 @@ class Deck:
         """
         return sweep(self, points, jobs=jobs, directory=directory, progress=progress, force=force)
 
-    def compare(self, program: str | None = None, *, parts=None, steps: int | None = None, frames=None, platform: str | None = None,
-                directory=None, threads: int | None = None, simd: str | None = None, precision: str | None = None,
+    def compare(self, program: str | None = None, *, parts: str | Iterable[str] | None = None, steps: int | None = None,
+                frames: int | Iterable[int] | None = None, platform: str | None = None, directory: Path | None = None, threads: int | None = None, simd: str | None = None, precision: str | None = None,
                 timeout: str | None = None, force: bool = False) -> Comparison:
         """Compare with an independent program, number by number: `ljmd compare`, see docs/crosscheck.md.
 
@@ -392,7 +390,7 @@ class Deck:
 class Check:
     """What `Deck.check()` found: `data` has atoms, box, memory, disk, seconds; `warnings` the remarks on the deck."""
 
-    def __init__(self, data: dict, text: str, warnings: list):
+    def __init__(self, data: dict[str, Any], text: str, warnings: list[str]):
         self.data, self.text = data, text
         self.warnings = [warning.removeprefix("warning: ").rstrip() for warning in warnings]
 

@@ -18,7 +18,7 @@ class Properties:
     model: str
     meaning: str
     source: str
-    warnings: list
+    warnings: list[str]
     liquid: Properties
     vapour: Properties
     temperature: Any
@@ -50,7 +50,7 @@ class Properties:
     critical_density: Any
     critical_pressure: Any
 
-    def __init__(self, data: dict, text: str = ""):
+    def __init__(self, data: dict[str, Any], text: str = ""):
         self.data, self.text = data, text
         for name, value in data.items():
             setattr(self, name, Properties(value) if isinstance(value, dict) else value)
@@ -103,7 +103,7 @@ def _arrays(data: list, shape: tuple) -> dict:
     return found
 
 
-def eos(temperature=None, density=None, *, pressure=None, model: str = "thol2016") -> Properties:
+def eos(temperature: Any = None, density: Any = None, *, pressure: Any = None, model: str = "thol2016") -> Properties:
     """The equation of state at a temperature [epsilon/k_B] and a density [sigma^-3] or a pressure [epsilon/sigma^3];
     from a temperature or a pressure alone, liquid and vapour at coexistence.
 
@@ -132,6 +132,6 @@ def eos(temperature=None, density=None, *, pressure=None, model: str = "thol2016
     return Properties(_arrays(points, shape))
 
 
-def equations() -> list:
+def equations() -> list[Properties]:
     """All equations of state: model, meaning, source, range and critical point of each."""
     return [Properties(each) for each in _core.equations()[0]]

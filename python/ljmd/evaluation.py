@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from . import _check, _core
 from .errors import InputError
 from .potentials import Pair
 from .tables import PotentialTable
+
+if TYPE_CHECKING:
+    from ._types import Array
 
 DEFAULT: dict = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
 
@@ -27,10 +31,10 @@ class Evaluation:
     """
 
     potential_energy: float
-    forces: np.ndarray
-    virial_tensor: np.ndarray
+    forces: Array
+    virial_tensor: Array
     virial_pressure: float
-    energies: np.ndarray | None = None
+    energies: Array | None = None
     pairs_too_near: int = 0
 
     @property
@@ -81,7 +85,7 @@ class Evaluator:
         """[sigma]"""
         return float(self._potential.cutoff if isinstance(self._potential, Pair) else self._potential["cutoff"])
 
-    def __call__(self, positions, edges, *, energies: bool = False) -> Evaluation:
+    def __call__(self, positions: Any, edges: Any, *, energies: bool = False) -> Evaluation:
         """See `ljmd.evaluate`."""
         energy, virial, pressure, forces, of_atoms, too_near, warning = self._core.evaluate(
             vectors(positions, "positions"), edges_of(edges), _check.truth(energies, "energies"))
@@ -118,7 +122,7 @@ def edges_of(edges) -> tuple:
     return tuple(float(edge) for edge in np.broadcast_to(found, 3))
 
 
-def evaluate(positions, edges, *, potential: PotentialTable | Pair | None = None, energies: bool = False,
+def evaluate(positions: Any, edges: Any, *, potential: PotentialTable | Pair | None = None, energies: bool = False,
              threads: int | None = None, simd: str | None = None, precision: str = "double") -> Evaluation:
     """Energy, forces and virial of one configuration of a fluid: periodic box, one kind of atom, no run.
 

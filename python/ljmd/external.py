@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ._check import truth
 from ._decorated import Decorated
+
+if TYPE_CHECKING:
+    from ._types import Function
 
 
 class external_force(Decorated):
@@ -35,7 +40,7 @@ class external_force(Decorated):
 
     _kind, _argument, _usual_name = "an external force", "the positions", "external force"
 
-    def __init__(self, function=None, *, energy: bool = False, virial: bool = False, name: str = ""):
+    def __init__(self, function: Function | None = None, *, energy: bool = False, virial: bool = False, name: str = ""):
         self.energy, self.virial = truth(energy, "energy"), truth(virial, "virial")
         super().__init__(function, name)
 

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from ._types import Array
 
 
 @dataclass(frozen=True)
@@ -18,11 +22,11 @@ class Frames:
     steps: shape (F,); None where they are not known
     """
 
-    positions: np.ndarray
-    velocities: np.ndarray | None
-    edges: np.ndarray
-    times: np.ndarray | None
-    steps: np.ndarray | None
+    positions: Array
+    velocities: Array | None
+    edges: Array
+    times: Array | None
+    steps: Array | None
 
     @classmethod
     def of_one(cls, positions, velocities, edges, time: float, step: int) -> "Frames":
@@ -36,7 +40,7 @@ class Frames:
     def __len__(self) -> int:
         return len(self.positions)
 
-    def universe(self):
+    def universe(self) -> Any:
         """An MDAnalysis Universe: positions, box, times [tau] and steps, velocities where there are any; atoms with mass 1, name
         and type "X", ids from 0. Times that are not known are NaN, and so is the spacing dt of a single frame; steps that are
         not known are missing. Numbers stay in reduced units, in single precision, as MDAnalysis keeps them.

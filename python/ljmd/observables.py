@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ._check import listed, text, truth, whole
 from ._decorated import Decorated
 from .errors import InputError
+
+if TYPE_CHECKING:
+    from ._types import Function
 
 
 class observable(Decorated):
@@ -28,7 +33,7 @@ class observable(Decorated):
 
     _kind, _argument, _usual_name = "an observable", "a snapshot", "observable"
 
-    def __init__(self, function=None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
+    def __init__(self, function: Function | None = None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
         self.every = whole(every, "every", 1)
         self.unit, self.energy = text(unit, "unit"), truth(energy, "energy")
         super().__init__(function, name)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, overload
+
 import numpy as np
 
 from . import _check, _core
 from .errors import InputError
+
+if TYPE_CHECKING:
+    from ._types import Array, Function, Path
 
 _MOST_PIECES = 4096
 
@@ -36,7 +42,7 @@ class Pair:
                             self.force_error)
 
     @classmethod
-    def of_run(cls, directory) -> "Pair | None":
+    def of_run(cls, directory: Path) -> "Pair | None":
         """The one that the run in a directory was given, from the table there; None if it was given none."""
         found = _core.pair_of_run(_check.directory_of(directory))
         if found is None:
@@ -48,7 +54,7 @@ class Pair:
         return self  # nothing of it changes
 
     @property
-    def stand_in(self) -> dict:
+    def stand_in(self) -> dict[str, Any]:
         """A table [potential] with this cutoff and truncation, for the reader of decks."""
         table = {"type": "lennard-jones", "cutoff": self.cutoff, "truncation": self.truncation}
         if self.truncation in ("cut", "switched"):
@@ -61,11 +67,11 @@ class Pair:
         r = _check.real_array(r, "distances")
         return self._core.values(r.ravel(), True)[which].reshape(r.shape)
 
-    def __call__(self, r):
+    def __call__(self, r: Any) -> Array:
         """u at distances r [sigma], truncated, in the shape of r [epsilon]."""
         return self._values(r, 0)
 
-    def force(self, r):
+    def force(self, r: Any) -> Array:
         """-du/dr at distances r [sigma], in the shape of r [epsilon/sigma]."""
         return self._values(r, 1)
 
@@ -79,8 +85,18 @@ class Pair:
                 f"r = {first:g}, error of u {self.error:.0e}, of the force {self.force_error:.0e}>")
 
 
-def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switch_start: float | None = None, start: float | None = None,
-         error: float = 1e-9):
+@overload
+def pair(function: Function, *, cutoff: float, truncation: str, name: str = ..., switch_start: float | None = ..., start: float | None = ...,
+         error: float = ...) -> Pair: ...
+
+
+@overload
+def pair(function: None = ..., *, cutoff: float, truncation: str, name: str = ..., switch_start: float | None = ..., start: float | None = ...,
+         error: float = ...) -> Callable[[Function], Pair]: ...
+
+
+def pair(function: Function | None = None, *, cutoff: float, truncation: str, name: str = "", switch_start: float | None = None, start: float | None = None,
+         error: float = 1e-9) -> Pair | Callable[[Function], Pair]:
     """A pair potential of your own: `deck.potential = ljmd.pair(lambda r: 4*(r**-9 - r**-6), cutoff=2.5, truncation="shifted")`.
 
     function: u(r) of an array of distances [epsilon]; called when the pair is made, never in a run

@@ -6,13 +6,17 @@ import json
 import pathlib
 import re
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import DataError, Error, InputError
 from .reading.files import field, is_there, read_json
 from .reading.tables import read_numbers
+
+if TYPE_CHECKING:
+    from ._types import Path
 
 
 class ReferenceValue:
@@ -61,7 +65,7 @@ class Reference(NamedTables):
         self._density = field(file, density, "mean", float) if isinstance(density, dict) else field(file, data, "density", float)
 
     @classmethod
-    def open(cls, directory) -> "Reference":
+    def open(cls, directory: Path) -> "Reference":
         """See `ljmd.open`. Raises DataError where the errors asked for have not been reached yet."""
         directory = _check.directory_of(directory)
         if not is_there(directory / "results.json"):
@@ -74,18 +78,18 @@ class Reference(NamedTables):
             raise KeyError(f"no {_check.shown(name)}; there are {', '.join(self._values)}")
         return self._values[name]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._values)
 
     def __len__(self) -> int:
         return len(self._values)
 
-    def keys(self):
+    def keys(self) -> Iterable[str]:
         """Names of the values."""
         return self._values.keys()
 
     @property
-    def values(self):
+    def values(self) -> Any:
         """A row for each value: name, mean, errors, equation of state, unit."""
         rows = list(self._values.values())
         numbers = ("mean", "statistical_error", "systematic_error", "total_error", "equation_of_state")
@@ -111,9 +115,10 @@ def _tables_in(directory: pathlib.Path) -> dict:
     return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if is_there(directory / f"{name}.csv")}
 
 
-def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties=(), errors=None, atoms=None,
-              replicas=None, max_steps=None, seed=None, metastable: bool = False, jobs=None, directory=None, progress=print,
-              force: bool = False) -> Reference:
+def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties: str | Iterable[str] | None = (),
+              errors: Mapping[str, float] | None = None, atoms: int | None = None, replicas: int | None = None, max_steps: int | None = None,
+              seed: int | None = None, metastable: bool = False, jobs: int | None = None, directory: Path | None = None,
+              progress: Callable[[str], object] | None = print, force: bool = False) -> Reference:
     """Energy, pressure and other properties of the full Lennard-Jones fluid at a temperature and a density or a pressure.
 
         found = ljmd.reference(1.2, 0.7, properties=["c_v", "D"], errors={"energy": 0.002}, directory="runs/liquid")

@@ -5,12 +5,16 @@ from __future__ import annotations
 import pathlib
 import re
 import tempfile
+from typing import TYPE_CHECKING
 
 from . import _check, _program, _progress
 from .errors import DataError, Error, InputError
 from .reading.files import field, is_there, read_json
 from .reading.sweeps import Request, read_request
 from .results import Results, Run, _Files
+
+if TYPE_CHECKING:
+    from ._types import Path
 
 
 class Replicas(Results):
@@ -24,7 +28,7 @@ class Replicas(Results):
         self.directory, self._folders = request.directory, [request.folder(name) for name in request.names]
 
     @classmethod
-    def open(cls, directory) -> "Replicas":
+    def open(cls, directory: Path) -> "Replicas":
         """The replicas in a directory, of Python or of `ljmd run --replicas`; without observables until all have ended.
 
         Raises DataError if there are none.
@@ -45,7 +49,7 @@ class Replicas(Results):
         return self.directory / "results.json"
 
     @property
-    def runs(self) -> list:
+    def runs(self) -> list[Run]:
         """Each replica that has begun, as a Run."""
         return [Run.open(folder) for folder in self._folders if is_there(folder / "run.json")]
 

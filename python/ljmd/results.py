@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import difflib
 import pathlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from . import _check, _functions as functions, _progress
 from ._text import as_table, html_lines, html_table, with_error
@@ -19,13 +20,17 @@ from .reading.observables import Observable
 from .reading.sweeps import read_request
 from .reading.tables import read_numbers
 
+if TYPE_CHECKING:
+    from ._types import Function, Functions, Path, Progress, Walltime
+    from .potentials import Pair
+
 
 def _is_component(name: str, data: dict) -> bool:
     """Whether only `data` has it, and no table: components of the pressure, the virial."""
     return name.startswith(("pressure_", "virial")) and not data.get("own")
 
 
-class Results(Mapping):
+class Results(Mapping[str, Observable]):
     """Observables by name, `results["pressure"].mean`, and tables, `results.table("rdf")`."""
 
     def __init__(self, data: dict, tables: Mapping, main: str = ""):
@@ -37,12 +42,12 @@ class Results(Mapping):
         return pathlib.Path("results")
 
     @property
-    def data(self) -> dict:
+    def data(self) -> dict[str, Any]:
         """Everything but the tables, as in results.json."""
         return self._data
 
     @property
-    def warnings(self) -> list:
+    def warnings(self) -> list[str]:
         """Remarks on the results."""
         return field(self._file, self.data, "warnings", list, default=[])
 
@@ -58,18 +63,18 @@ class Results(Mapping):
                                                           f"there are {', '.join(observables) or 'none'}"))
         return entries.observable(self._file, name, observables[name])
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._observables)
 
     def __len__(self) -> int:
         return len(self._observables)
 
     @property
-    def tables(self) -> list:
+    def tables(self) -> list[str]:
         """Names of the tables."""
         return list(self._tables)
 
-    def table(self, name: str | None = None):
+    def table(self, name: str | None = None) -> Any:
         """A table as a pandas DataFrame, or as a NumPy structured array where there is no pandas.
 
         Without a name: that of the one analysis that was asked for. Raises KeyError naming all.
@@ -148,12 +153,12 @@ class Run(Results):
         return super()._file if self.directory is None else self.directory / "results.json"
 
     @property
-    def thermo(self):
+    def thermo(self) -> Any:
         """Energies, temperature and pressure of all samples: a row each, with the columns of thermo.csv (docs/files.md)."""
         return as_table(*(self._thermo if self._thermo is not None else read_numbers(self.directory / "thermo.csv", growing=True)))
 
     @property
-    def potential(self):
+    def potential(self) -> Pair | None:
         """The pair potential of your own that a run in a directory was made with, from the table there; None: that of its
         deck.
 
@@ -163,20 +168,20 @@ class Run(Results):
         return None if self.directory is None else Pair.of_run(self.directory)
 
     @property
-    def stages(self) -> list:
+    def stages(self) -> list[dict[str, Any]]:
         """The stages with their steps, energy drift and checksums."""
         return field(self._file, self.data, "stages", list, default=[])
 
     @property
-    def findings(self) -> dict:
+    def findings(self) -> dict[str, dict[str, Observable]]:
         """Of few bodies: what each analysis found, by its name."""
         return entries.findings(self._file, self.data)
 
-    def all_observables(self) -> dict:
+    def all_observables(self) -> dict[str, Observable]:
         """Observables and findings by the names of the columns of sweep.csv: those of analyses of few bodies as "orbit_period"."""
         return entries.all_of(self._file, self.data)
 
-    def trajectory(self, *, start: float | None = None, positions: str | None = None):
+    def trajectory(self, *, start: float | None = None, positions: str | None = None) -> Any:
         """Of a fluid with a directory: its trajectory, for `ljmd.Trajectory`'s analyses. Of few bodies: the table of it."""
         if "trajectory" in self._tables:
             return self.table("trajectory")
@@ -197,7 +202,7 @@ class Run(Results):
                             'deck.output.trajectory = {"every": 100, "velocities": True}')
         return self._frames
 
-    def universe(self):
+    def universe(self) -> Any:
         """An MDAnalysis Universe of its frames, see `Frames.universe`; of its last configuration alone where the deck asks for no
         trajectory.
 
@@ -221,7 +226,7 @@ class Run(Results):
         about, _ = _core.describe(self.directory)
         return Frames.of_one(positions, velocities, edges, time, about["total_steps"])
 
-    def report(self, page=None, *, force: bool = False) -> pathlib.Path:
+    def report(self, page: Path | None = None, *, force: bool = False) -> pathlib.Path:
         """Write one HTML page about the run, finished or not, and return its path: verdicts, charts, the atoms in motion.
 
         page: file to write; report.html in the directory of the run by default. An earlier page is replaced
@@ -259,7 +264,7 @@ class Run(Results):
                        for analysis, found in self.findings.items() for name, each in found.items()]
 
     @classmethod
-    def open(cls, directory) -> "Run":
+    def open(cls, directory: Path) -> "Run":
         """See `ljmd.open`."""
         directory = _check.directory_of(directory)
         if not is_there(directory / "run.json"):
@@ -287,7 +292,7 @@ class Run(Results):
         return cls.open(directory)
 
 
-def open_run(directory):
+def open_run(directory: Path) -> Any:
     """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet. Of a sweep: see
     `ljmd.open_sweep`. Of reference values: what `ljmd.reference` found.
 
@@ -306,7 +311,8 @@ def open_run(directory):
 open = open_run  # noqa: A001, ljmd.open
 
 
-def resume(directory, *, steps: int = 0, observables=None, external=None, threads: int | None = None, progress=True, walltime=None) -> Run:
+def resume(directory: Path, *, steps: int = 0, observables: Functions | None = None, external: Function | None = None,
+           threads: int | None = None, progress: Progress = True, walltime: Walltime = None) -> Run:
     """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
 
     steps: to add to the last stage

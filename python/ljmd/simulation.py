@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 from . import _check, _core, _progress
 from .errors import InputError
@@ -10,6 +12,9 @@ from .external import described_force
 from .frames import Frames, Recorder
 from .observables import described
 from .results import Run
+
+if TYPE_CHECKING:
+    from ._types import Array, Deck, Function, Functions, Progress
 
 
 class Arrays:
@@ -27,27 +32,27 @@ class Arrays:
         return getattr(self._view, name)()
 
     @property
-    def positions(self):
+    def positions(self) -> Array:
         """Shape (N, 3) [sigma]; near the box, not wrapped into it."""
         return self._get("positions")
 
     @property
-    def velocities(self):
+    def velocities(self) -> Array:
         """Shape (N, 3) [sigma/tau]."""
         return self._get("velocities")
 
     @property
-    def forces(self):
+    def forces(self) -> Array:
         """Shape (N, 3) [epsilon/sigma]."""
         return self._get("forces")
 
     @property
-    def masses(self):
+    def masses(self) -> Array:
         """Shape (N,) [m]."""
         return self._get("masses")
 
     @property
-    def ids(self):
+    def ids(self) -> Array:
         """Shape (N,): row k of the other arrays is the atom with id ids[k], from 0."""
         return self._get("ids")
 
@@ -76,7 +81,8 @@ class Simulation:
     observables, external, threads, simd, force: as in `Deck.run`. Raises InputError with all mistakes of the deck.
     """
 
-    def __init__(self, deck, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, force: bool = False):
+    def __init__(self, deck: Deck, *, observables: Functions = (), external: Function | None = None, threads: int | None = None,
+                 simd: str | None = None, force: bool = False):
         from .deck import Deck
         if not isinstance(deck, Deck):
             raise InputError(f"deck: {_check.shown(deck)} is no ljmd.Deck")
@@ -85,7 +91,7 @@ class Simulation:
         self._title = deck.title
         self._recorder = self._recorder_of(deck)
 
-    def advance(self, steps: int, progress=False) -> None:
+    def advance(self, steps: int, progress: Progress = False) -> None:
         """Take some steps; fewer if the stages end before.
 
         Ctrl-C raises KeyboardInterrupt between two steps, and the simulation can go on afterwards.
@@ -118,7 +124,7 @@ class Simulation:
             if steps <= 0:
                 return
 
-    def steps(self, count: int | None = None, every: int = 1):
+    def steps(self, count: int | None = None, every: int = 1) -> Iterator[Simulation]:
         """Take `count` steps, all that are left by default, and give control after each `every` of them.
 
             for _ in sim.steps(1000, every=10): ...
@@ -135,7 +141,7 @@ class Simulation:
             left -= part
             yield self
 
-    def run(self, progress=True) -> Run:
+    def run(self, progress: Progress = True) -> Run:
         """Take all steps that are left, and return the results."""
         with _progress.shown(progress, self.total_steps, self.step) as tell:
             self._take(max(self.total_steps - self.step, 0), tell)
@@ -153,7 +159,7 @@ class Simulation:
         return Run(data, self._core.tables(), self._core.thermo(), None, self.finished, frames, last)
 
     @contextlib.contextmanager
-    def arrays(self):
+    def arrays(self) -> Iterator[Arrays]:
         """The memory of the atoms, see `Arrays`."""
         arrays = Arrays(self._core.view())
         try:
@@ -204,7 +210,7 @@ class Simulation:
     density = _energy("density", "N/V [sigma^-3].")
 
     @property
-    def thermo(self):
+    def thermo(self) -> Any:
         """The samples so far, see `Run.thermo`."""
         return self.results().thermo
 

@@ -11,6 +11,7 @@ import pathlib
 import re
 import tempfile
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _check, _core, _program, _progress
 from ._text import html_lines, html_table, mixed_table, with_error
@@ -18,6 +19,10 @@ from .errors import Error, InputError
 from .reading.files import is_there
 from .reading.sweeps import read_request
 from .results import Run
+
+if TYPE_CHECKING:
+    from ._types import Path
+    from .reading.observables import Observable
 
 _PLAIN = re.compile(r"(?!(?:true|false|inf|nan)$)[A-Za-z][A-Za-z0-9_.-]*$")
 _MOST_POINTS = 10_000  # as of the program
@@ -29,7 +34,7 @@ class Point:
     failure: why it has no results; empty: it has, or has not ended yet
     """
 
-    def __init__(self, name: str, values: dict, directory: pathlib.Path, failure: str = ""):
+    def __init__(self, name: str, values: dict[str, Any], directory: pathlib.Path, failure: str = ""):
         self.name, self.values, self.directory, self.failure = name, values, directory, failure
 
     @property
@@ -42,7 +47,7 @@ class Point:
         """Raises DataError before the run has begun."""
         return Run.open(self.directory)
 
-    def observables(self) -> dict:
+    def observables(self) -> dict[str, Observable]:
         """By name; analyses of few bodies as "orbit_period". Empty without results."""
         return self.run.all_observables() if self.begun else {}
 
@@ -52,7 +57,7 @@ class Point:
         return f"<ljmd.Point {self.name}: {state}>"
 
 
-class Sweep(Sequence):
+class Sweep(Sequence[Point]):
     """The points of a sweep, in their order: `sweep[0].run["pressure"]`; all numbers: `sweep.to_dataframe()`.
 
     directory: where its files are; those of a temporary one are gone when the sweep is
@@ -63,7 +68,7 @@ class Sweep(Sequence):
         self.directory, self.keys, self._points, self._temporary = directory, list(keys), list(points), temporary
 
     @classmethod
-    def open(cls, directory, failures: Mapping | None = None, temporary=None) -> "Sweep":
+    def open(cls, directory: Path, failures: Mapping[str, str] | None = None, temporary: Any = None) -> "Sweep":
         """See `ljmd.open_sweep`."""
         directory = _check.directory_of(directory)
         request = read_request(directory)
@@ -71,14 +76,20 @@ class Sweep(Sequence):
                   for name, values in zip(request.names, request.values)]
         return cls(directory, request.keys, points, temporary)
 
-    def __getitem__(self, k):
+    @overload
+    def __getitem__(self, k: int) -> Point: ...
+
+    @overload
+    def __getitem__(self, k: slice) -> list[Point]: ...
+
+    def __getitem__(self, k: int | slice) -> Point | list[Point]:
         return self._points[k]
 
     def __len__(self) -> int:
         return len(self._points)
 
     @property
-    def failures(self) -> dict:
+    def failures(self) -> dict[str, str]:
         """Why points failed, by their names."""
         return {point.name: point.failure for point in self if point.failure}
 
@@ -87,7 +98,7 @@ class Sweep(Sequence):
         """Whether all points have results."""
         return all(point.begun and point.run.finished for point in self)
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> Any:
         """A row for each point, as sweep.csv: the varied keys, then each observable and its `NAME_standard_error`, then `remarks`.
 
         NaN is what is not known: of points without results, and errors of numbers that have none. A pandas DataFrame; without
@@ -138,7 +149,7 @@ class Sweep(Sequence):
         return Sweep.open, (self.directory, self.failures)
 
 
-def open_sweep(directory) -> Sweep:
+def open_sweep(directory: Path) -> Sweep:
     """The sweep in a directory, of Python or of `ljmd sweep`; it may be unfinished. Raises DataError if there is none."""
     return Sweep.open(directory)
 

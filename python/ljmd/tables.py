@@ -1,11 +1,10 @@
-"""Tables of decks: dicts whose keys are attributes. Type checkers know the keys of each, and no others; a test compares them with
-those of the engine."""
+"""Tables of decks: dicts whose keys are attributes. Type checkers know the keys of each, and no others, from _keys.pyi."""
 
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Dict, Generic, TypedDict, TypeVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from . import _check, _core
 from .errors import InputError
@@ -31,12 +30,15 @@ class Table(dict):
 
 
 if TYPE_CHECKING:
-    _Known = Dict[str, Any]  # no attributes but those that are declared
+    from ._keys import Analyses as _AnalysesKeys
+    from ._keys import Attribute, PotentialTable
+    from ._keys import Stage as _StageKeys
 else:
-    _Known = Table
+    _AnalysesKeys = _StageKeys = Table
+    Attribute, PotentialTable = property, dict
 
 
-class Stage(_Known):
+class Stage(_StageKeys):
     """Steps of one integrator, with at most one thermostat and one barostat: a [[stage]] of a deck.
 
     name: for results and messages
@@ -55,34 +57,22 @@ class Stage(_Known):
         Stage("production", until={"pressure": 0.005, "max_steps": 1_000_000}, sample=True)
     """
 
-    name: str
-    integrator: str
-    time_step: float | str
-    steps: int
-    until: Any
-    temperature: float | str
-    total_energy: float | str
-    thermostat: Any
-    barostat: Any
-    sample: bool
-    reverse: bool
-    start: str
-
-    def __init__(self, name: str, steps: int | None = None, *, until: Mapping | None = None, time_step: float | str = 0.004,
-                 integrator: str = "velocity-verlet", temperature=None, thermostat=None, barostat=None, sample: bool = False,
-                 reverse: bool = False, total_energy=None, **options):
-        if (steps is None) == (until is None):
-            raise InputError(f"stage {_check.shown(name)}: it takes a number of steps, or `until` with errors, one of the two")
-        super().__init__()
-        for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
-                           "until": None if until is None else Table(until), "temperature": temperature, "total_energy": total_energy,
-                           "thermostat": thermostat, "barostat": barostat}.items():
-            if value is not None:
-                self[key] = value
-        if _check.truth(sample, f"stage {_check.shown(name)}: sample"):
-            self["sample"] = True
-        if _check.truth(reverse, f"stage {_check.shown(name)}: reverse"):
-            self["reverse"] = True
+    if not TYPE_CHECKING:  # for them its keywords are among the keys
+        def __init__(self, name: str, steps: int | None = None, *, until: Mapping | None = None, time_step: float | str = 0.004,
+                     integrator: str = "velocity-verlet", temperature=None, thermostat=None, barostat=None, sample: bool = False,
+                     reverse: bool = False, total_energy=None, **options):
+            if (steps is None) == (until is None):
+                raise InputError(f"stage {_check.shown(name)}: it takes a number of steps, or `until` with errors, one of the two")
+            super().__init__()
+            for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
+                               "until": None if until is None else Table(until), "temperature": temperature, "total_energy": total_energy,
+                               "thermostat": thermostat, "barostat": barostat}.items():
+                if value is not None:
+                    self[key] = value
+            if _check.truth(sample, f"stage {_check.shown(name)}: sample"):
+                self["sample"] = True
+            if _check.truth(reverse, f"stage {_check.shown(name)}: reverse"):
+                self["reverse"] = True
 
     def __setitem__(self, key, value):
         if key in ("thermostat", "barostat") and isinstance(value, str):
@@ -108,28 +98,8 @@ def stage_of(table: Mapping) -> Stage:
     return stage
 
 
-class Analyses(_Known):
+class Analyses(_AnalysesKeys):
     """What is measured in the sampled stages: `deck.analysis.rdf(bins=200)` asks for it, `del deck.analysis["rdf"]` does not."""
-
-    bulk_viscosity: Any
-    chemical_potential: Any
-    closest_approach: Any
-    configurational_temperature: Any
-    crystal: Any
-    cutoff_correction: Any
-    film: Any
-    msd: Any
-    orbit: Any
-    oscillation: Any
-    rdf: Any
-    response_functions: Any
-    scattering: Any
-    structure_factor: Any
-    thermal_conductivity: Any
-    vacf: Any
-    van_hove: Any
-    van_hove_distinct: Any
-    viscosity: Any
 
     if not TYPE_CHECKING:
         def __getattr__(self, name):
@@ -146,106 +116,5 @@ class Analyses(_Known):
         return [*super().__dir__(), *_core.build()["analyses"]]
 
 
-class System(_Known):
-    """Atoms and box: [system] of a deck."""
-
-    lattice: Any
-    file: Any
-    xyz_comment: str
-    density: float | str
-    temperature: float | str
-    velocities: str
-    seed: int
-
-
-class Potential(_Known):
-    """How pairs of atoms interact: [potential] of a deck."""
-
-    type: str
-    cutoff: float | str
-    truncation: str
-    tail: bool
-    switch_start: float | str
-    minimum: float | str
-    steepness: float
-    well_depth: float | str
-
-
-class PotentialTable(TypedDict, total=False):
-    """[potential] as a dict, in reduced units, for `ljmd.evaluate`. A dict that stands in a variable is annotated so:
-
-        soft: ljmd.PotentialTable = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
-    """
-
-    type: str
-    cutoff: float
-    truncation: str
-    tail: bool
-    switch_start: float
-    minimum: float
-    steepness: float
-    well_depth: float
-
-
-class Neighbors(_Known):
-    """How pairs are found: [neighbors] of a deck."""
-
-    method: str
-    skin: float | str
-    every: int
-    tile: int
-
-
-class Performance(_Known):
-    """How forces are computed: [performance] of a deck."""
-
-    precision: str
-
-
-class Output(_Known):
-    """Files: [output] of a deck."""
-
-    directory: str
-    thermo: Any
-    trajectory: Any
-    checkpoint: Any
-    report: bool
-
-
-class Substance(_Known):
-    """A real substance: [argon] of a deck."""
-
-    sigma: str
-    epsilon: str
-    mass: str
-
-
-class Force(_Known):
-    """The law of motion of few bodies: [force] of a deck."""
-
-    type: str
-    angular_momentum: float
-    central_mass: float
-    gravitational_constant: float
-    gravitational_parameter: float
-    gravity: float
-    length: float
-    softening: float
-    stiffness: float
-
-
 ARGON = Table(sigma="3.405 angstrom", epsilon="119.8 K", mass="39.948 u")
 """Argon as Verlet had it in 1967: with it results are given in SI units, too."""
-
-if TYPE_CHECKING:
-    _Got = TypeVar("_Got")
-    _Given = TypeVar("_Given")
-
-    class Attribute(Generic[_Got, _Given]):
-        """A property to which more can be assigned than it returns, a dict for a table; checkers know no such property."""
-
-        def __init__(self, get: Callable[[Any], _Got], give: Callable[[Any, _Given], None]): ...
-        def __get__(self, deck: Any, owner: Any = None) -> _Got: ...
-        def __set__(self, deck: Any, value: _Given) -> None: ...
-else:
-    Attribute = property

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _check, _core
 from .errors import InputError
@@ -12,29 +11,18 @@ from .frames import Frames
 from .results import Results
 
 
-class Trajectory:
+if TYPE_CHECKING:
+    from ._keys import TrajectoryAnalyses as _Analyses
+    from ._types import Deck, Path
+else:
+    _Analyses = object
+
+
+class Trajectory(_Analyses):
     """The frames of a file, on which all analyses of ljmd work: `traj.rdf(bins=200).table()`.
 
     Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
     """
-
-    # For type checkers, which know these names and no others.
-    bulk_viscosity: Callable[..., Results]
-    chemical_potential: Callable[..., Results]
-    configurational_temperature: Callable[..., Results]
-    crystal: Callable[..., Results]
-    cutoff_correction: Callable[..., Results]
-    film: Callable[..., Results]
-    msd: Callable[..., Results]
-    rdf: Callable[..., Results]
-    response_functions: Callable[..., Results]
-    scattering: Callable[..., Results]
-    structure_factor: Callable[..., Results]
-    thermal_conductivity: Callable[..., Results]
-    vacf: Callable[..., Results]
-    van_hove: Callable[..., Results]
-    van_hove_distinct: Callable[..., Results]
-    viscosity: Callable[..., Results]
 
     def __init__(self, open_again):
         self._open_again = open_again
@@ -49,7 +37,7 @@ class Trajectory:
     spacing = property(lambda self: self._about["spacing"], doc="Time between frames, if it is the same for all [tau].")
     times = property(lambda self: self._frames.times(), doc="Of the frames, shape (F,) [tau]; empty if the file has none.")
 
-    def analyze(self, *names: str, **options) -> Results:
+    def analyze(self, *names: str, **options: Any) -> Results:
         """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
         wanted = [_check.text(name, "names") for name in names] or self._frames.default_names()
         settings = [f"analysis.{name}.{key}={_core.value_text(value, key)}"
@@ -61,7 +49,7 @@ class Trajectory:
         """All frames in memory, see `Frames`. Raises DataError if the file has changed."""
         return Frames(*self._frames.arrays())
 
-    def universe(self):
+    def universe(self) -> Any:
         """An MDAnalysis Universe of all frames, see `Frames.universe`."""
         return self.arrays().universe()
 
@@ -89,7 +77,7 @@ class Trajectory:
         return f"<ljmd.Trajectory {self.path!r}: {self.frames} frames of {self.atoms} atoms>"
 
 
-def trajectory(path, *, deck=None, start: float | None = None, time_step: float | None = None, positions: str | None = None, group: str = "",
+def trajectory(path: Path, *, deck: Deck | None = None, start: float | None = None, time_step: float | None = None, positions: str | None = None, group: str = "",
                xyz_comment: str = "", energies: bool = False) -> Trajectory:
     """The trajectory in a file: H5MD, extended XYZ or LAMMPS dump, known by its content.
 

@@ -262,7 +262,7 @@ def from_the_documentation(first_words, name, sample):
 
 def mdanalysis_opens_reduced_files_by_the_lines_of_the_documentation():
     h5md = from_the_documentation("import h5py\n", "trajectory.h5md", "reduced.h5md")
-    xyz = from_the_documentation("import re\n", "trajectory.xyz", "reduced.xyz")
+    xyz = from_the_documentation("import MDAnalysis\n", "trajectory.xyz", "reduced.xyz")
     for system in (h5md, xyz):
         assert system.trajectory.n_frames == FRAMES
         for f in (*range(FRAMES), 1):  # also back

@@ -53,6 +53,11 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
+    def needs(self, there, what: str) -> None:
+        """Skip a test that needs another program or package; with LJMD_REQUIRE_PEERS=1 in the environment it fails."""
+        if not there:
+            (self.fail if os.environ.get("LJMD_REQUIRE_PEERS") == "1" else self.skipTest)(f"there is no {what}")
+
     def assertRaisesText(self, error, *texts, of):
         """`of` raises the error, with all these texts."""
         with self.assertRaises(error) as caught:

@@ -1,6 +1,7 @@
 """The package loads what is used, when it is used: its names, their types, and pickles are those of a package that loads all at once."""
 
 import ast
+import importlib.util
 import pathlib
 import pickle
 import subprocess
@@ -43,6 +44,11 @@ class Lazy(Case):
         code = "import pkgutil, ljmd, importlib\n[importlib.import_module(f'ljmd.{m.name}') for m in pkgutil.iter_modules(ljmd.__path__)" \
                " if m.name != '_mdanalysis']\nprint(*[n for n in ljmd.__all__ if type(getattr(ljmd, n)) is type(ljmd)])"
         self.assertEqual(python(code), "\n")
+
+    def test_the_style_of_pictures_needs_no_engine(self):
+        self.needs(importlib.util.find_spec("matplotlib"), "matplotlib")
+        code = "import sys, ljmd; ljmd.style(); import matplotlib; print(matplotlib.rcParams['svg.hashsalt'], 'ljmd._core' in sys.modules)"
+        self.assertEqual(python(code), "ljmd False\n")
 
     def test_type_checkers_see_the_same(self):
         found = {}
