@@ -24,7 +24,8 @@ source_suffix = {".md": "markdown"}
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
 myst_dmath_double_inline = True
-suppress_warnings = ["myst.header"]  # a page may begin with a picture or skip a level
+suppress_warnings = ["myst.header",  # a page may begin with a picture or skip a level
+                     "ref.python"]   # a class is known by its module's name, too
 
 # The Python package, from its sources: the engine, which would have to be built, is left out, and ASE where it is not installed. All that
 # is documented is in Python.

@@ -33,6 +33,9 @@ def write_tables(run: Path, curves: int = 7) -> Path:
     fixtures.write_csv(run / "skw.csv", stacked("k", k, "angular_frequency", 10.0 * TIME, ("S_kw",)))
     fixtures.write_csv(run / "gs.csv", stacked("time", [0.5, 1.0], "r", TIME, ("G_s",)))
     fixtures.write_csv(run / "gd.csv", stacked("time", [0.0, 0.5, 1.0], "r", TIME, ("G_d",)))
+    values = {name: np.where(np.array(k) < 2.0, 1.0 + np.array(k), np.nan) for name in time_pictures.MODES}   # none at large k
+    errors = {f"{name}_standard_error": 0.1 * value for name, value in values.items()}
+    fixtures.write_csv(run / "modes.csv", {"k": np.array(k), **values, **errors})
     time = TIME[1:]
     fixtures.write_csv(run / "alpha2.csv", {"time": time, "alpha_2": 0.13 * np.exp(-((time - 1.2) ** 2)), "alpha_2_standard_error": 0.01 * time})
     return run
@@ -48,7 +51,30 @@ def test_every_table_has_its_picture(tmp: Path) -> None:
     assert result.returncode == 0, result.stderr
     for name in time_pictures.PICTURES:
         width, height = png_size(run / f"{name}.png")
-        assert width == 350 and height >= 225, (name, width, height)
+        assert width == (420 if name == "modes" else 350) and height >= 225, (name, width, height)
+
+
+def test_modes_are_drawn_where_there_are_any(tmp: Path) -> None:
+    run = write_tables(write_run(tmp / "run"))
+    assert len([axes for axes in figures(run)["modes"].axes if axes.get_visible()]) == 4
+    text = (run / "modes.csv").read_text(encoding="utf-8").splitlines()
+    first = text[0].split(",").index("sound_velocity")
+    rows = [line.split(",") for line in text[1:]]
+    fixtures.write_csv(run / "modes.csv", {name: np.array([float(row[place] or "nan") if place != first else np.nan for row in rows])
+                                           for place, name in enumerate(text[0].split(","))})
+    assert len([axes for axes in figures(run)["modes"].axes if axes.get_visible()]) == 3
+    fixtures.write_csv(run / "modes.csv", {name: np.array([float(row[place]) if name == "k" else np.nan for row in rows])
+                                           for place, name in enumerate(text[0].split(","))})
+    assert "modes" not in figures(run)
+
+
+def test_long_times_have_a_logarithmic_axis(tmp: Path) -> None:
+    run = write_tables(write_run(tmp / "run"))
+    assert figures(run)["fskt"].axes[0].get_xscale() == "linear"
+    long = np.concatenate([TIME, [2.4, 3.2, 4.0, 5.6, 8.0]])
+    fixtures.write_csv(run / "fskt.csv", stacked("k", [0.6, 3.0], "time", long, ("F_s",)))
+    axes = figures(run)["fskt"].axes[0]
+    assert axes.get_xscale() == "log" and axes.get_xlim() == (TIME[1], 8.0), axes.get_xlim()
 
 
 def test_each_wave_number_is_a_curve_of_its_own(tmp: Path) -> None:
