@@ -202,6 +202,9 @@ Data page_data(const PageContent& content) {
             members.push_back({{"label", label}, {"payload", page_data(member)}});
         }
     }
+    if (content.reload) {
+        data["reload"] = *content.reload;
+    }
     return data;
 }
 

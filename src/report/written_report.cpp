@@ -20,6 +20,18 @@ std::vector<std::string> write_report(const std::vector<fs::path>& directories, 
     return content.warnings;
 }
 
+FollowedReport write_followed_report(const fs::path& directory, const fs::path& page, bool force, double seconds) {
+    const Replacing allowed{.force = force, .mark = page_mark};
+    require_writable(page, allowed);
+    PageContent content = report_on(directory);
+    const bool is_running = content.state == "running";
+    if (is_running) {
+        content.reload = seconds;
+    }
+    write_output(page, allowed, page_html(content));
+    return {is_running, content.warnings};
+}
+
 std::optional<fs::path> write_asked_report(const Deck& deck, const std::function<void(const std::string&)>& warn) {
     if (!deck.report) {
         return std::nullopt;

@@ -4,7 +4,9 @@ import base64
 import json
 import os
 import re
+import signal
 import struct
+import subprocess
 
 from harness import ARGON, DECK, STARS, Case, clean_environment, held, snapshot
 import waiting
@@ -188,8 +190,43 @@ def opened(t):
     t.equal(t.read("opened"), f"{t.dir}/out/report.html\n", "what is opened")
 
 
+def data_of(path):
+    """The data that stand in a page."""
+    return json.loads(re.search(r'id="ljmd-data">(.*?)</script>', path.read_text(encoding="utf-8"), re.DOTALL)[1])
+
+
+def followed(t):
+    """The page of a run that goes on is written anew and reads itself anew; when the run has stopped it no longer does."""
+    t.deck(("steps = 40", "steps = 1000000000"))
+    page = t.dir / "out/report.html"
+    with subprocess.Popen([t.ljmd, "run", "deck.toml", "--quiet", "--out", "out"], cwd=t.dir, stderr=subprocess.DEVNULL) as going:
+        try:
+            rows = t.dir / "out/thermo.csv"
+            waiting.until(lambda: rows.exists() and rows.stat().st_size > 2000, "some rows", going)
+            with subprocess.Popen([t.ljmd, "report", "out", "--follow", "--every", "0.05"], cwd=t.dir, stdout=subprocess.PIPE, text=True) as follower:
+                waiting.until(page.exists, "the first page", follower)
+                first = data_of(page)
+                t.equal((first["state"], first["reload"]), ("running", 0.05), "the first page")
+                waiting.until(lambda: data_of(page)["tables"] != first["tables"], "a page with more rows", follower)
+                t.equal(follower.poll(), None, "who follows goes on")
+                going.terminate()
+                t.equal(going.wait(waiting.PATIENCE), 128 + signal.SIGTERM, "the run")
+                t.equal((follower.wait(waiting.PATIENCE), follower.stdout.read()), (0, "out/report.html\n"), "who follows")
+        finally:
+            going.kill()
+    last = data_of(page)
+    t.equal((last["state"], last.get("reload")), ("stopped", None), "the last page")
+    t.equal(t.run_well("report", "out", "--follow").out, "out/report.html\n", "of a run that does not go on")
+    t.expect(2, t.run("report", "out", "out", "--follow"))
+    t.expect(2, t.run("report", "out", "--every", "3"))
+    (t.dir / "mine.html").write_text("mine")
+    t.expect(2, t.run("report", "out", "--follow", "--out", "mine.html"))
+    t.equal(t.read("mine.html"), "mine", "a file of the user")
+
+
 def cases():
     return [Case("numbers are the results", numbers_are_the_results), Case("titles are text", titles_are_text),
             Case("places", places), Case("decks ask for it", decks_ask_for_it), Case("few bodies", few_bodies),
             Case("studies", studies), Case("comparisons", comparisons), Case("sets", sets),
-            Case("what is there", what_is_there), Case("sizes", sizes), Case("opened", opened)]
+            Case("what is there", what_is_there), Case("sizes", sizes), Case("opened", opened),
+            Case("followed", followed)]

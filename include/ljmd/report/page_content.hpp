@@ -106,6 +106,7 @@ struct PageContent {
     std::string source;              ///< the directory as it was given
     std::string state = "finished";  ///< finished, stopped, running, failed or damaged
     std::string state_words = {};
+    std::optional<double> reload = {};  ///< seconds after which the page reads itself anew, see `ljmd report --follow`
     TextPairs program = {};
     TextPairs provenance = {};
     std::vector<Verdict> verdicts = {};

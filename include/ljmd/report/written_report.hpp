@@ -17,6 +17,17 @@ namespace ljmd {
 std::vector<std::string> write_report(const std::vector<std::filesystem::path>& directories,
                                       const std::filesystem::path& page, bool force = false);
 
+/// What a page that is written again and again has become.
+struct FollowedReport {
+    bool is_running;                    ///< the run goes on, and the page with it
+    std::vector<std::string> warnings;  ///< as of write_report()
+};
+
+/// Write the page about a run that goes on, which reads itself anew after so many seconds; of one that does not, the
+/// page of write_report(). @throws  as write_report()
+[[nodiscard]] FollowedReport write_followed_report(const std::filesystem::path& directory,
+                                                   const std::filesystem::path& page, bool force, double seconds);
+
 /// Write the page about a run that has ended, if its deck asks for one (`[output] report = true`). An error is only a
 /// warning, because the results of the run are complete.
 /// @param warn  called with the reason if there is no page

@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <iterator>
+#include <thread>
 
 #include "ljmd/cli/command.hpp"
 #include "ljmd/cli/deck_options.hpp"
+#include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/process.hpp"
@@ -31,6 +35,8 @@ struct ReportOptions {
     bool force = false;    ///< replace a file that is no page of ljmd
     bool open = false;     ///< open the page in a browser
     bool json = false;     ///< print the page's data instead of writing a page
+    bool follow = false;   ///< write the page anew while the run goes on
+    double every = 5.0;    ///< [s]
 };
 
 /// Open a page in the browser of the desktop, if there is one.
@@ -49,6 +55,38 @@ void open_page(const fs::path& page) {
                                  .output = "/dev/null",
                                  .own_group = true,
                                  .at_our_end = 0});
+}
+
+/// Write the page anew while the run goes on, and once more when it has ended. @throws Interrupted on a signal
+void follow(const fs::path& directory, const fs::path& page, const ReportOptions& options) {
+    constexpr std::chrono::milliseconds moment{20};
+    const Interruption interruption = until_signal();
+    bool force = options.force;
+    bool is_first = true;
+    for (;;) {
+        const FollowedReport report = write_followed_report(directory, page, force, options.every);
+        force = false;  // what lies there now is a page
+        if (is_first) {
+            print_result(fmt::format("{}\n", page.string()));
+            if (options.open) {
+                open_page(page);
+            }
+        }
+        is_first = false;
+        if (!report.is_running) {
+            for (const std::string& warning : report.warnings) {
+                warn(warning);
+            }
+            return;
+        }
+        const auto next = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.every);
+        while (std::chrono::steady_clock::now() < next && DirectoryLock::is_held(directory)) {
+            if (interruption.request()) {
+                interruption.stop_many_runs();
+            }
+            std::this_thread::sleep_for(moment);
+        }
+    }
 }
 
 /// The directory that is meant by a path: for judge.json itself, the one that holds it.
@@ -77,8 +115,16 @@ class ReportCommand : public Command {
             ->type_name("FILE");
         command.add_flag("--force", options_.force, "replace a file that is no page of ljmd");
         CLI::Option* opened = command.add_flag("--open", options_.open, "open the page in a browser");
+        CLI::Option* followed =
+            command.add_flag("--follow", options_.follow,
+                             "write the page of a run anew while it goes on; an open page reads itself anew");
+        command.add_option("--every", options_.every, "seconds from one page to the next, 5 by default")
+            ->needs(followed)
+            ->check(CLI::Range(0.01, 3600.0))
+            ->type_name("S");
         command.add_flag("--json", options_.json, "print the data of the page as JSON, and write no page")
-            ->excludes(opened);
+            ->excludes(opened)
+            ->excludes(followed);
     }
 
     void run() override {
@@ -92,6 +138,14 @@ class ReportCommand : public Command {
         const fs::path page = !options_.out.empty()    ? fs::path(options_.out)
                               : directories.size() > 1 ? fs::path(report_name)
                                                        : directories.front() / report_name;
+        if (options_.follow) {
+            if (directories.size() > 1) {
+                throw InputError("--follow is for one run");
+            }
+            install_stop_handlers();
+            follow(directories.front(), page, options_);
+            return;
+        }
         for (const std::string& warning : write_report(directories, page, options_.force)) {
             warn(warning);
         }

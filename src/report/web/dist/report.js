@@ -36791,6 +36791,7 @@ void main() {
     if (payload.format !== "ljmd-report") throw new Error("The data in this page are not those of a report.");
     if (payload.version > VERSION) throw new Error(`The data have version ${payload.version}; this page knows version ${VERSION}.`);
     page(payload);
+    if (payload.reload) setTimeout(() => location.reload(), 1e3 * payload.reload);
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     failure(error);

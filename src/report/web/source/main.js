@@ -36,6 +36,8 @@ try {
     if (payload.format !== "ljmd-report") throw new Error("The data in this page are not those of a report.");
     if (payload.version > VERSION) throw new Error(`The data have version ${payload.version}; this page knows version ${VERSION}.`);
     page(payload);
+    // While it is written anew. A browser comes back to where the reader was.
+    if (payload.reload) setTimeout(() => location.reload(), 1000 * payload.reload);
     document.documentElement.dataset.ready = "true";
 } catch (error) {
     failure(error);
