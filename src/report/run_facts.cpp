@@ -1,7 +1,9 @@
 #include "ljmd/report/run_facts.hpp"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <cmath>
 
 #include <cmath>
 
@@ -103,7 +105,10 @@ TextPairs provenance_of(const RunFacts& facts) {
                                      {"settings", "settings"},
                                      {"deck_hash", "hash of the deck"},
                                      {"given", "given by a program"}}) {
-        const std::string text = text_in(facts.record, {key});
+        std::string text = text_in(facts.record, {key});
+        if (const auto number = number_in(facts.record, {key}); number && *number != std::floor(*number)) {
+            text = fmt::format("{:.4g}", *number);  // a time of the clock
+        }
         if (!text.empty() && text != "[]") {
             pairs.emplace_back(label, text);
         }

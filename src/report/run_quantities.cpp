@@ -57,12 +57,7 @@ Quantity* quantity_named(std::vector<Quantity>& quantities, const std::string& n
     return found == quantities.end() ? nullptr : &*found;
 }
 
-/// The property that an equation of state has for an observable.
-struct Comparable {
-    const char* name;
-    double FluidProperties::*property;
-};
-constexpr std::array<Comparable, 5> comparables{
+constexpr std::array<ComparableProperty, 5> comparables{
     {{"potential_energy", &FluidProperties::potential_energy},
      {"pressure", &FluidProperties::pressure},
      {"compressibility_factor", &FluidProperties::compressibility_factor},
@@ -84,6 +79,10 @@ std::optional<BeyondCutoff> beyond_cutoff_of(const Deck& deck, const EquationOfS
 }
 
 }  // namespace
+
+std::span<const ComparableProperty> comparable_properties() {
+    return comparables;
+}
 
 std::vector<Quantity> quantities_in(const Data& results) {
     std::vector<Quantity> quantities;

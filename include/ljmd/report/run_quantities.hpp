@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "ljmd/analyze/thermo_report.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
 #include "ljmd/report/run_facts.hpp"
 
 namespace ljmd {
@@ -17,6 +19,13 @@ namespace ljmd {
 
 /// The observables of a results.json that tables show.
 [[nodiscard]] std::vector<Quantity> quantities_in(const Data& results);
+
+/// The property that an equation of state has for an observable.
+struct ComparableProperty {
+    const char* name;  ///< of the observable
+    double FluidProperties::*property;
+};
+[[nodiscard]] std::span<const ComparableProperty> comparable_properties();
 
 /// Add the values of an equation of state at the measured temperature and density. Does nothing if there is no equation
 /// of this fluid, or if it is not reliable there. Their errors, as standard deviations, are known ones: the measured

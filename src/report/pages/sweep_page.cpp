@@ -8,6 +8,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
+#include "ljmd/report/equation_curve.hpp"
 #include "ljmd/report/lenient_data.hpp"
 #include "ljmd/report/pages/study_pages.hpp"
 #include "ljmd/report/quantity_names.hpp"
@@ -28,25 +29,31 @@ namespace fs = std::filesystem;
 struct Finished {
     std::vector<std::vector<std::string>> values;  ///< of the keys
     std::vector<std::vector<Quantity>> quantities;
+    std::vector<double> densities;  ///< of the box; NaN if not known
 };
 
 bool is_shown(const std::string& name) {
     return is_in_table({name, "", "", std::nullopt});
 }
 
-std::vector<Quantity> point_quantities(const fs::path& directory) {
+void add_point(Finished& finished, const fs::path& directory) {
     std::vector<Quantity> quantities;
+    double density = std::nan("");
     for (const ObservedMean& found : read_results(directory / "results.json").means) {
         if (is_shown(found.name)) {
             quantities.push_back({.name = found.name, .value = found.mean, .error = found.standard_error});
         }
+        density = found.name == "density" ? found.mean : density;
     }
     const RecordedRun run = recorded_run(directory);
     if (run.deck.is_fluid()) {
         const Data results = read_any_json(directory / "results.json");
-        static_cast<void>(add_references(quantities, run.deck, number_in(results, {"system", "density"}), directory));
+        const auto of_box = number_in(results, {"system", "density"});
+        static_cast<void>(add_references(quantities, run.deck, of_box, directory));
+        density = std::isfinite(density) ? density : of_box.value_or(density);
     }
-    return quantities;
+    finished.quantities.push_back(std::move(quantities));
+    finished.densities.push_back(density);
 }
 
 /// All names in order of appearance.
@@ -159,7 +166,8 @@ std::string equation_of(const Finished& finished) {
     return "";
 }
 
-/// What a sweep is about first; the energies that follow from others are in the table alone.
+/// What a sweep is about first; the energies that follow from others are in the table alone, and so is what has no
+/// value.
 std::vector<std::string> drawn_names(const Finished& finished) {
     std::vector<std::string> names{"potential_energy", "pressure"};
     for (const std::string& name : names_of(finished)) {
@@ -168,23 +176,45 @@ std::vector<std::string> drawn_names(const Finished& finished) {
             names.push_back(name);
         }
     }
+    std::erase_if(names, [&](const std::string& name) {
+        const auto values = numbers(finished, name, [](const Quantity& q) { return std::optional(q.value); });
+        return std::ranges::none_of(values, [](double value) { return std::isfinite(value); });
+    });
     return names;
 }
 
-Chart line_chart(const PageTable& table, const std::string& name, const std::string& x, const Axis& axis,
-                 const std::string& equation) {
+/// The state of each point on the axis.
+std::vector<StateOnAxis> states_of(const Finished& finished, const std::vector<double>& places,
+                                   const std::vector<std::string>& series) {
+    const auto temperatures =
+        numbers(finished, "temperature", [](const Quantity& q) { return std::optional(q.value); });
+    std::vector<StateOnAxis> states;
+    for (std::size_t point = 0; point < places.size(); ++point) {
+        std::string equation;
+        for (const Quantity& each : finished.quantities[point]) {
+            equation = each.reference_label.empty() ? equation : each.reference_label;
+        }
+        states.push_back({places[point], temperatures[point], finished.densities[point], equation, series[point]});
+    }
+    return states;
+}
+
+Chart line_chart(const PageTable& table, const PageTable& curves, const std::string& name, const std::string& x,
+                 const Axis& axis, const std::string& equation) {
     const std::string group = table.has_column("series") ? "series" : "";
     Chart chart{.id = name,
                 .title = as_title(name),
                 .caption = x == "temperature" ? "Against the temperature that was measured." : "",
                 .x = axis,
                 .y = {axis_label(name)}};
-    if (table.has_column(name + "_reference")) {
+    if (const std::string reference = name + "_reference"; curves.has_column(reference)) {
+        chart.caption += fmt::format("{}The curve is the equation of state {}, where one phase is stable.",
+                                     chart.caption.empty() ? "" : " ", equation);
         chart.marks.push_back({.type = "line",
                                .label = equation,
-                               .table = table.name,
+                               .table = curves.name,
                                .x = x,
-                               .y = name + "_reference",
+                               .y = reference,
                                .group = group,
                                .colour = 2});
     }
@@ -221,6 +251,7 @@ void sort_points(Finished& finished, const std::vector<double>& along) {
     for (const std::size_t point : order) {
         sorted.values.push_back(finished.values[point]);
         sorted.quantities.push_back(finished.quantities[point]);
+        sorted.densities.push_back(finished.densities[point]);
     }
     finished = std::move(sorted);
 }
@@ -243,13 +274,21 @@ void add_points(PageContent& page, const SweepPlan& plan, Finished finished) {
     page.tables.push_back(table);
     const std::string x = measured ? "temperature" : column_of(key);
     const Axis axis{measured ? axis_label("temperature") : key.heading, key.numbers.empty() ? "category" : "linear"};
+    const std::vector<double> places =
+        measured ? numbers(finished, "temperature", [](const Quantity& q) { return std::optional(q.value); })
+                 : key.numbers;
+    const PageTable curves = equation_curves(
+        x, places.empty() ? std::vector<StateOnAxis>() : states_of(finished, places, series_of(keys, along)));
+    if (!curves.columns.empty()) {
+        page.tables.push_back(curves);
+    }
     constexpr std::size_t leading = 2;
     std::size_t drawn = 0;
     for (const std::string& name : drawn_names(finished)) {
         if (!table.has_column(name) || (name == "temperature" && key.is_temperature)) {
             continue;
         }
-        page.charts.push_back(line_chart(table, name, x, axis, equation_of(finished)));
+        page.charts.push_back(line_chart(table, curves, name, x, axis, equation_of(finished)));
         page.charts.back().lead = drawn < leading;
         const VariedKey& other = keys[along == 0 ? keys.size() - 1 : 0];
         if (keys.size() == 2 && key.different > 2 && other.different > 2) {
@@ -279,7 +318,7 @@ PageContent sweep_page(const fs::path& directory) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
         if (input_is_there(runs[k].directory / "results.json")) {
             add_if_readable(page.warnings, [&] {
-                finished.quantities.push_back(point_quantities(runs[k].directory));
+                add_point(finished, runs[k].directory);
                 finished.values.push_back(plan->points.values[k]);
             });
         }

@@ -1,0 +1,65 @@
+#include "ljmd/report/equation_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "ljmd/reference/equation_doubts.hpp"
+#include "ljmd/report/run_quantities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr int most_places = 120;  // of all curves together
+
+}  // namespace
+
+PageTable equation_curves(const std::string& x, const std::vector<StateOnAxis>& states) {
+    std::map<std::string, std::vector<StateOnAxis>> curves;
+    for (const StateOnAxis& state : states) {
+        if (!state.equation.empty() && std::isfinite(state.place + state.temperature + state.density)) {
+            curves[state.series].push_back(state);
+        }
+    }
+    std::vector<double> places;
+    std::vector<std::string> series;
+    std::vector<std::vector<double>> values(comparable_properties().size());
+    const int parts = std::max(1, most_places / std::max(static_cast<int>(states.size()), 1));
+    for (const auto& [name, curve] : curves) {
+        for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+            const StateOnAxis& from = curve[k];
+            const StateOnAxis& to = curve[k + 1];
+            if (from.equation != to.equation) {
+                continue;
+            }
+            const EquationOfState equation = equation_of_state(from.equation);
+            for (int part = k == 0 ? 0 : 1; part <= parts; ++part) {
+                const double share = static_cast<double>(part) / parts;
+                const double temperature = std::lerp(from.temperature, to.temperature, share);
+                const double density = std::lerp(from.density, to.density, share);
+                const bool holds = doubts(equation, temperature, density).empty();
+                places.push_back(std::lerp(from.place, to.place, share));
+                series.push_back(name);
+                for (std::size_t column = 0; column < values.size(); ++column) {
+                    values[column].push_back(holds ? properties(equation, temperature, density).*
+                                                         comparable_properties()[column].property
+                                                   : std::numeric_limits<double>::quiet_NaN());
+                }
+            }
+        }
+    }
+    PageTable table{.name = "equation", .title = "Equation of state"};
+    if (places.empty()) {
+        return table;
+    }
+    table.add({x}, places);
+    table.add({"series"}, series);
+    for (std::size_t column = 0; column < values.size(); ++column) {
+        table.add({std::string(comparable_properties()[column].name) + "_reference"}, values[column]);
+    }
+    return table;
+}
+
+}  // namespace ljmd
