@@ -8,6 +8,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/engine/requested_temperature.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
@@ -119,7 +120,11 @@ std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<
 
 std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density,
                            const std::filesystem::path& directory) {
-    const auto equation = equation_of_fluid(fluid_spec(deck));
+    const FluidSpec spec = fluid_spec(deck);
+    const auto equation = equation_of_fluid(spec);
+    if (is_film(spec)) {
+        return "a film has two phases; its densities and pressure are in the table";
+    }
     if (!equation) {
         return "there is no equation of state of exactly this fluid";
     }

@@ -65,6 +65,14 @@ AnalysisMethod film() {
                            {"liquid_density", "rho_l", "sigma^-3"},
                            {"vapour_density", "rho_v", "sigma^-3"},
                            {"z", "z", "sigma"}},
+            .charts = {{.file = "film", .x = "z", .y = "density", .title = "Density across the film", .lead = true},
+                       {.file = "film", .x = "z", .y = "normal_pressure", .title = "Normal pressure across the film"},
+                       {.file = "film",
+                        .x = "z",
+                        .y = "tangential_pressure",
+                        .title = "Tangential pressure across the film",
+                        .level = 0.0,
+                        .level_label = "no pressure"}},
             .options = [] { return std::make_unique<FilmOptions>(); }};
 }
 
