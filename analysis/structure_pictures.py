@@ -171,7 +171,7 @@ def heat_flux_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
                          caption(run, "thermal_conductivity", r"$\lambda$", r"$k_\mathrm{B}/\sigma\tau$"))
 
 
-def bragg(run: RunDirectory, table: Table) -> plt.Figure:
+def bragg(run: FluidRun, table: Table) -> plt.Figure:
     """The Debye-Waller factors of a crystal, and those of Gaussian displacements with the same mean square."""
     figure, axes = plt.subplots(figsize=(7.0, 4.5), constrained_layout=True)
     k, factor = table["k"], table["debye_waller_factor"]

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
@@ -122,8 +121,8 @@ void LongTimes::interrupt() {
 
 std::vector<DataTable> LongTimes::tables() const {
     std::vector<DataTable> all = levels_.front()->tables();
-    for (const auto& level : levels_ | std::views::drop(1)) {
-        for (const DataTable& coarser : level->tables()) {
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+        for (const DataTable& coarser : levels_[level]->tables()) {
             const auto table = std::ranges::find(all, coarser.name, &DataTable::name);
             if (table != all.end()) {
                 add_later(*table, coarser, last_);

@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
@@ -31,7 +30,8 @@ VelocityAutocorrelation::VelocityAutocorrelation(Index atoms, const std::vector<
       cosines_(lags_.count + 1),
       window_(3 * atoms, lags_.count, levels.front().window),
       means_(3 * (lags_.count + 1) + 1, Covariance::diagonal) {
-    for (const Level& level : levels | std::views::drop(1)) {
+    for (std::size_t n = 1; n < levels.size(); ++n) {
+        const Level& level = levels[n];
         coarse_.push_back({level.lags, CorrelationWindows(3 * atoms, level.lags.count, level.window),
                            BlockingAccumulator(level.lags.count + 1, Covariance::diagonal), Eigen::VectorXd()});
     }
