@@ -41,7 +41,7 @@ def checks(found):
 def good_engine(t):
     t.deck(("steps = 40", "steps = 4000"))
     result = t.run_well("compare", "deck.toml", "--with", engine(t), *STEPS, "--out", "out")
-    for words in ("one page of Python", "all 26 checks passed", "mean pressure", "step 100: positions"):
+    for words in ("one page of Python", "all 33 checks passed", "mean pressure", "step 100: positions"):
         t.contains(result.out, words)
     t.check("not judged" not in result.out and "diagnosis" not in result.out, f"too much is said:\n{result.out}")
     found = t.json("out/judge.json")
@@ -82,6 +82,14 @@ MISTAKES = {
                                      '"forces": (f + np.outer(start[:, 0] > edges[0] / 2, [0.1, 0, 0])).tolist()')],
                                    "net force: forces do not sum to zero", "largest force difference"),
     "3N against 3N-3": ([("(3 * n - 3)", "(3 * n)")], "3N against 3N-3: the temperature", "temperature"),
+    "velocities of the wrong sign": ([("np.hstack([r, v, f])", "np.hstack([r, -v, f])")],
+                                     "velocities: in the frame of step 0 they have the wrong sign", "step 10: velocities"),
+    "velocities of other atoms": ([("np.hstack([r, v, f])", "np.hstack([r, np.roll(v, 1, axis=0), f])")],
+                                  "another order: in the frame of step 0, velocities of 108 of 108 atoms", "step 10: velocities"),
+    "velocities in other columns": ([("np.hstack([r, v, f])", "np.hstack([r, v[:, [1, 0, 2]], f])")],
+                                    "velocities: in the frame of step 0 they stand in other columns, as (vy, vx, vz)", "step 10: velocities"),
+    "energy of one step before": ([("    row = thermodynamics(u, w, v)", "    row = thermodynamics(last if step else u, w, v)\n    last = u")],
+                                  "one step late: the potential energy of thermo.csv", "thermo.csv, steps 5 to 40: potential energy"),
     "half-step velocities": ([("yield step, u, w, r, v, f", "yield step, u, w, r, v - 0.5 * dt * f, f")],
                              "half-step velocities", "step 10: kinetic energy"),
     "half-step start": ([("v = v + 0.5 * dt * f\n        r", "v = v + dt * f\n        r"),

@@ -9,6 +9,7 @@
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/near_pairs.hpp"
 #include "ljmd/compare/judge/net_force.hpp"
+#include "ljmd/compare/judge/velocity_diagnosis.hpp"
 
 namespace ljmd {
 
@@ -16,9 +17,6 @@ namespace {
 
 /// A mistake is found if it explains all of a difference but this part.
 constexpr double unexplained_of_frames = 1e-2;
-
-/// Steps over which two trajectories are close enough to compare velocities atom by atom.
-constexpr Index last_close_step = 100;
 
 /// The pairs among atoms with wrong forces, as far as a system of equations is solved for them.
 constexpr std::size_t most_pairs = 400;
@@ -55,31 +53,6 @@ std::vector<Vec3> nearest_to_ours(const JudgedFrame& frame, const Vec3& edges) {
         places.emplace_back(frame.positions[i] - images.cwiseProduct(edges));
     }
     return places;
-}
-
-/// Velocities of half a step before or after the positions.
-std::string half_step_velocities(const JudgedTrajectory& trajectory, const Agreement& agreement) {
-    for (const JudgedFrame& frame : trajectory.frames) {
-        if (frame.step > last_close_step || frame.velocities.empty() || frame.our_velocities.empty()) {
-            continue;
-        }
-        const double off = distance(frame.velocities, 0.0, frame.our_forces, frame.our_velocities);
-        if (!(off > agreement.kinetic_energy * root_of_squares(frame.our_velocities))) {
-            continue;
-        }
-        for (const double side : {-1.0, 1.0}) {
-            // v' - side a dt/2 is the velocity at the time of the positions, if v' is at t + side dt/2.
-            const double half = 0.5 * trajectory.time_step;
-            if (distance(frame.velocities, -side * half, frame.our_forces, frame.our_velocities) <
-                unexplained_of_frames * off) {
-                return fmt::format(
-                    "half-step velocities: in the frame of step {} velocities are those of half a time step {}: v(t) = "
-                    "v' {} a(t) dt/2",
-                    frame.step, side < 0.0 ? "earlier" : "later", side < 0.0 ? "+" : "-");
-            }
-        }
-    }
-    return "";
 }
 
 /// What the first step tells: the start's velocities were taken for velocities at another time, or the time step is
@@ -336,7 +309,7 @@ std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
         }
     };
     note(first_step(trajectory, agreement));
-    note(half_step_velocities(trajectory, agreement));
+    note(diagnose_velocities(trajectory, agreement).value_or(""));
     note(stale_list(trajectory, potential, agreement.largest_force));
     if (words.empty()) {
         note(integration(trajectory, agreement));

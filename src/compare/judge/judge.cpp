@@ -124,9 +124,9 @@ class Session {
         if (table.steps.front() == 0) {
             first_row(table);
         }
+        rows(table);
         const RunSamples theirs = samples_after_start(table);
-        const Index rows = std::ssize(table.steps) - (table.steps.front() == 0 ? 1 : 0);
-        if (rows == 0) {
+        if (table.steps.back() == 0) {
             leave_out("averages", "thermo.csv has no row after step 0");
             return;
         }
@@ -265,6 +265,41 @@ class Session {
                                     side < 0.0 ? "earlier" : "later"));
                 }
             }
+        }
+    }
+
+    /// Rows of a run at constant energy, while the engine's trajectory and ours are together.
+    void rows(const ThermoAnswer& table) {
+        const Stage& stage = problem_.stage;
+        if (stage.thermostat || stage.barostat) {
+            return;  // each program has its own random numbers, and its own way
+        }
+        if (stage.integrator.name != "velocity-verlet" && stage.integrator.name != "leapfrog") {
+            leave_out("rows of thermo.csv", "the deck's integrator is not velocity Verlet");
+            return;
+        }
+        const auto after_start = std::ranges::upper_bound(table.steps, 0);
+        const Index together = agreement_.positions.empty() ? 0 : agreement_.positions.back().step;
+        if (after_start == table.steps.end() || *after_start > together) {
+            leave_out("rows of thermo.csv", fmt::format("there is none from step 1 to step {}, where two programs are "
+                                                        "still together",
+                                                        together));
+            return;
+        }
+        const Index last = *std::prev(std::ranges::upper_bound(table.steps, together));
+        const FluidSpec& spec = own_.spec;
+        const RowJudgement judged = judge_rows(table,
+                                               own_rows(problem_.fluid, spec.interaction().tail, *force_field(),
+                                                        own_.execution, stage.time_step, last + 1),
+                                               {.atoms = expected_.atoms,
+                                                .volume = expected_.volume,
+                                                .thermo_every = problem_.thermo_every,
+                                                .agreement = agreement_,
+                                                .digits = is_mixed_ ? noise_of_mixed_precision : digits_of_table});
+        append(judged.checks);
+        for (const std::string& words : judged.mistakes) note(words);
+        if (result_.diagnoses.empty()) {
+            for (const std::string& words : judged.others) note(words);
         }
     }
 
