@@ -41,7 +41,7 @@ def checks(found):
 def good_engine(t):
     t.deck(("steps = 40", "steps = 4000"))
     result = t.run_well("compare", "deck.toml", "--with", engine(t), *STEPS, "--out", "out")
-    for words in ("one page of Python", "all 33 checks passed", "mean pressure", "step 100: positions"):
+    for words in ("one page of Python", "all 36 checks passed", "mean pressure", "step 100: positions"):
         t.contains(result.out, words)
     t.check("not judged" not in result.out and "diagnosis" not in result.out, f"too much is said:\n{result.out}")
     found = t.json("out/judge.json")

@@ -125,7 +125,7 @@ class Session {
             first_row(table);
         }
         rows(table);
-        const RunSamples theirs = samples_after_start(table);
+        RunSamples theirs = samples_after_start(table);
         if (table.steps.back() == 0) {
             leave_out("averages", "thermo.csv has no row after step 0");
             return;
@@ -142,6 +142,9 @@ class Session {
             result_.own_failure = error.what();
             leave_out("averages", fmt::format("ljmd's own run of the deck failed: {}", error.what()));
             return;
+        }
+        if (conditions.same_motion) {
+            keep_common_rows(table, ours, theirs);
         }
         RunJudgement judged = judge_run(conditions, ours, theirs);
         append(judged.checks);
@@ -208,6 +211,13 @@ class Session {
                                  .time_step = stage.time_step,
                                  .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
                                  .our_freedom = freedom_of(stage, expected_.atoms)};
+        double squares = 0.0;
+        for (const Vec3& f : expected_.sums.forces) squares += f.squaredNorm();
+        if (expected_.kinetic_energy > 0.0) {
+            conditions.squared_frequency = squares / (2.0 * expected_.kinetic_energy);
+        }
+        conditions.same_motion = is_verlet_at_constant_energy() && !is_mixed_;
+        conditions.digits = digits_of_table;
         if (stage.thermostat) conditions.temperature = stage.temperature;
         conditions.pressure = held_pressure(stage);
         return conditions;
@@ -268,13 +278,50 @@ class Session {
         }
     }
 
+    [[nodiscard]] bool is_verlet_at_constant_energy() const {
+        const Stage& stage = problem_.stage;
+        return !stage.thermostat && !stage.barostat &&
+               (stage.integrator.name == "velocity-verlet" || stage.integrator.name == "leapfrog");
+    }
+
+    /// Two runs from the same start are compared over the same time.
+    void keep_common_rows(const ThermoAnswer& table, RunSamples& ours, RunSamples& theirs) const {
+        const Index every = problem_.thermo_every;
+        const Index samples = std::ssize(ours.kinetic_energy);
+        const auto skipped = static_cast<std::size_t>(table.steps.front() == 0 ? 1 : 0);
+        std::vector<std::size_t> of_ours;
+        std::vector<std::size_t> of_theirs;
+        for (std::size_t k = skipped; k < table.steps.size(); ++k) {
+            const Index step = table.steps[k];
+            if (step % every == 0 && step / every <= samples) {
+                of_ours.push_back(static_cast<std::size_t>(step / every - 1));
+                of_theirs.push_back(k - skipped);
+            }
+        }
+        for (auto member : {&RunSamples::potential_energy, &RunSamples::kinetic_energy, &RunSamples::pressure,
+                            &RunSamples::volume}) {
+            keep(ours.*member, of_ours);
+            keep(theirs.*member, of_theirs);
+        }
+    }
+
+    static void keep(std::vector<double>& column, const std::vector<std::size_t>& rows) {
+        if (column.empty()) {
+            return;
+        }
+        std::vector<double> kept;
+        kept.reserve(rows.size());
+        for (const std::size_t row : rows) kept.push_back(column[row]);
+        column = std::move(kept);
+    }
+
     /// Rows of a run at constant energy, while the engine's trajectory and ours are together.
     void rows(const ThermoAnswer& table) {
         const Stage& stage = problem_.stage;
         if (stage.thermostat || stage.barostat) {
             return;  // each program has its own random numbers, and its own way
         }
-        if (stage.integrator.name != "velocity-verlet" && stage.integrator.name != "leapfrog") {
+        if (!is_verlet_at_constant_energy()) {
             leave_out("rows of thermo.csv", "the deck's integrator is not velocity Verlet");
             return;
         }
