@@ -443,6 +443,22 @@ def its_directory_is_known(t):
         t.contains(t.expect(3, t.run(command, "out")).err, "it holds a comparison, which `ljmd compare --out out` has made")
 
 
+def speed_of_an_engine(t):
+    """Told, and not judged; where the machine is so busy that more steps take no longer, that is said."""
+    t.deck(("steps = 40", "steps = 400"))
+    result = t.run("compare", "deck.toml", "--parts", "speed", "--quiet", "--with", engine(t), "--out", "out")
+    found = t.json("out/judge.json")
+    t.equal(found["checks"], [], "checks")
+    if found["speed"] is None:
+        t.equal(result.code, 3, "exit code")
+        t.contains(result.out, "too short to be told from its start-up")
+    else:
+        t.equal(result.code, 0, "exit code")
+        t.equal(found["speed"]["steps"], 400, "steps")
+        t.check(found["speed"]["peer_steps_per_second"] > 0 and found["speed"]["peer_start_up_seconds"] >= 0, found["speed"])
+        t.contains(result.out, "the engine's start-up, not in its speed")
+
+
 def cases():
     return [Case("good engine", good_engine)] + \
            [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
@@ -461,5 +477,6 @@ def cases():
             Case("command that quotes", compare_refused(DECK, "--with", "command:./engine '{input}' {output}")),
             Case("files without a name", compare_refused(DECK, "--with", "files:")),
             Case("wrong timeout", compare_refused(DECK, "--with", "command:./engine {input} {output}", "--timeout", "soon")),
-            Case("speed of an engine", compare_refused(DECK, "--with", "command:./engine {input} {output}", "--parts", "speed")),
+            Case("speed of an engine", speed_of_an_engine),
+            Case("speed of files", compare_refused(DECK, "--with", "files:answers", "--parts", "speed")),
             Case("few bodies", compare_refused(STARS, "--with", "command:./engine {input} {output}"))]
