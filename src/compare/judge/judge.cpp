@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/compare/judge/few_digits.hpp"
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/own_run.hpp"
 #include "ljmd/compare/judge/point_judgement.hpp"
@@ -50,7 +51,7 @@ class Session {
         if (point.forces.empty()) leave_out("forces of the start", "missing in point.json, and there is no point.xyz");
         append(check_point(expected_, point, agreement_));
         diagnose(point, "");
-        few_digits(check_point(expected_, point, single_agreement(situation_)));
+        few_digits(check_point(expected_, point, single_agreement(situation_)), point.forces, "point.json");
     }
 
     void trajectory() {
@@ -105,7 +106,13 @@ class Session {
         if (first.step == 0 && !told && !first.forces.empty()) {
             diagnose({.forces = first.forces}, "frame of step 0: ");
         }
-        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
+        std::vector<Vec3> numbers;
+        for (const JudgedFrame& frame : trajectory.frames) {
+            for (const auto* vectors : {&frame.velocities, &frame.forces}) {
+                numbers.insert(numbers.end(), vectors->begin(), vectors->end());
+            }
+        }
+        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)), numbers, "the frames");
     }
 
     void run() {
@@ -144,7 +151,7 @@ class Session {
             return;
         }
         if (conditions.same_motion) {
-            keep_common_rows(table, ours, theirs);
+            keep_common_rows(ours, problem_.thermo_every, theirs, table.steps);
         }
         RunJudgement judged = judge_run(conditions, ours, theirs);
         append(judged.checks);
@@ -192,17 +199,24 @@ class Session {
         }
     }
 
-    /// @param wide  the same checks as those that were appended last, by the tolerances of single precision
-    void few_digits(const std::vector<Check>& wide) {
+    /// @param wide     the same checks as those that were appended last, by the tolerances of single precision
+    /// @param numbers  that were written, where their digits show
+    void few_digits(const std::vector<Check>& wide, const std::vector<Vec3>& numbers, const char* where) {
         const auto begin = result_.checks.end() - std::ssize(wide);
         const bool some = std::any_of(begin, result_.checks.end(), [](const Check& check) { return !check.passed(); });
         const bool all = std::ranges::all_of(wide, [](const Check& check) { return check.passed(); });
-        if (some && all && result_.diagnoses.empty()) {
-            note(
-                "few digits: all differences are as small as those of single precision: the engine computes in it, or "
-                "its "
-                "files have less than 15 digits; with --precision mixed it is judged by that");
+        if (!some || !all || !result_.diagnoses.empty()) {
+            return;
         }
+        const auto digits = digits_of(numbers);
+        const bool is_single = digits == "single precision";
+        note(digits && !is_single
+                 ? fmt::format("few digits: numbers of {} have {}; 17 significant digits are exact", where, *digits)
+                 : fmt::format(
+                       "single precision: all differences are as small as those of single precision{}: the engine "
+                       "computes in it, or numbers lose digits on the way; with --precision mixed it is judged by "
+                       "that",
+                       is_single ? ", and numbers have its digits" : ""));
     }
 
     [[nodiscard]] RunConditions conditions_of_run() const {
@@ -211,11 +225,7 @@ class Session {
                                  .time_step = stage.time_step,
                                  .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
                                  .our_freedom = freedom_of(stage, expected_.atoms)};
-        double squares = 0.0;
-        for (const Vec3& f : expected_.sums.forces) squares += f.squaredNorm();
-        if (expected_.kinetic_energy > 0.0) {
-            conditions.squared_frequency = squares / (2.0 * expected_.kinetic_energy);
-        }
+        conditions.squared_frequency = expected_.squared_frequency();
         conditions.same_motion = is_verlet_at_constant_energy() && !is_mixed_;
         conditions.digits = digits_of_table;
         if (stage.thermostat) conditions.temperature = stage.temperature;
@@ -282,37 +292,6 @@ class Session {
         const Stage& stage = problem_.stage;
         return !stage.thermostat && !stage.barostat &&
                (stage.integrator.name == "velocity-verlet" || stage.integrator.name == "leapfrog");
-    }
-
-    /// Two runs from the same start are compared over the same time.
-    void keep_common_rows(const ThermoAnswer& table, RunSamples& ours, RunSamples& theirs) const {
-        const Index every = problem_.thermo_every;
-        const Index samples = std::ssize(ours.kinetic_energy);
-        const auto skipped = static_cast<std::size_t>(table.steps.front() == 0 ? 1 : 0);
-        std::vector<std::size_t> of_ours;
-        std::vector<std::size_t> of_theirs;
-        for (std::size_t k = skipped; k < table.steps.size(); ++k) {
-            const Index step = table.steps[k];
-            if (step % every == 0 && step / every <= samples) {
-                of_ours.push_back(static_cast<std::size_t>(step / every - 1));
-                of_theirs.push_back(k - skipped);
-            }
-        }
-        for (auto member : {&RunSamples::potential_energy, &RunSamples::kinetic_energy, &RunSamples::pressure,
-                            &RunSamples::volume}) {
-            keep(ours.*member, of_ours);
-            keep(theirs.*member, of_theirs);
-        }
-    }
-
-    static void keep(std::vector<double>& column, const std::vector<std::size_t>& rows) {
-        if (column.empty()) {
-            return;
-        }
-        std::vector<double> kept;
-        kept.reserve(rows.size());
-        for (const std::size_t row : rows) kept.push_back(column[row]);
-        column = std::move(kept);
     }
 
     /// Rows of a run at constant energy, while the engine's trajectory and ours are together.

@@ -15,7 +15,8 @@ namespace {
 constexpr double fastest_motion_of_rows = 40.0;  // [1/tau], see velocity_limit()
 constexpr double virial_over_force = 20.0;       // r u'' over u' of a pair, at most
 constexpr double unexplained_of_rows = 1e-2;
-constexpr std::size_t rows_for_a_parameter = 3;  // fewer are met by any constant
+constexpr double unexplained_by_a_parameter = 1e-6;  // energies hardly change: any constant or factor explains much
+constexpr std::size_t rows_for_a_parameter = 3;      // fewer are met by any constant
 
 using Value = std::function<double(const OwnRow&)>;
 
@@ -123,7 +124,7 @@ class ColumnJudgement {
         if (const auto words = known.best()) {
             result.mistakes.push_back(*words);
         } else if (rows_.size() >= rows_for_a_parameter) {
-            explain_by_a_parameter(Explanations(off, noise, unexplained_of_rows), column, result);
+            explain_by_a_parameter(Explanations(off, noise, unexplained_by_a_parameter), column, result);
         }
     }
 

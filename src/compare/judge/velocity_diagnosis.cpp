@@ -200,8 +200,9 @@ class Velocities {
 std::optional<std::string> diagnose_velocities(const JudgedTrajectory& trajectory, const Agreement& agreement) {
     for (const JudgedFrame& frame : trajectory.frames) {
         const auto limit = velocity_limit(agreement, frame.step, trajectory.time_step);
-        if (!limit || frame.velocities.empty() || frame.our_velocities.empty()) {
-            continue;
+        if (!limit || frame.velocities.empty() || frame.our_velocities.empty() ||
+            !(largest_distance(frame, trajectory.edges) <= *limit_at(agreement.positions, frame.step))) {
+            continue;  // where atoms are elsewhere, velocities are other ones
         }
         if (auto words = Velocities(frame, trajectory.time_step, *limit).mistake()) {
             return words;

@@ -138,4 +138,11 @@ TEST_CASE("a constant or a factor of all rows is no mistake of rows, and is told
         k *= 2.0;
     }
     CHECK_THAT(rows.judged(table).others.at(0), StartsWith("factor: the kinetic energy of thermo.csv is 2 times"));
+    // both at once are met nearly by either, and are neither
+    table = rows.table();
+    for (double& u : table.potential_energy) {
+        u = 2.0 * u + 50.0;
+    }
+    CHECK_FALSE(failed_of(rows.judged(table)).empty());
+    CHECK(rows.judged(table).others.empty());
 }

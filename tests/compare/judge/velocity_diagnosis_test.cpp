@@ -3,9 +3,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "compare/judge/small_problem.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
+#include "compare/judge/right_trajectory.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -14,24 +12,9 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-constexpr double dt = 0.004;
-
-JudgedTrajectory right_motion(const Fluid& fluid) {
-    JudgedTrajectory trajectory{fluid.edges, dt, {}};
-    for (const Index step : {0, 1, 10}) {
-        trajectory.frames.push_back({.step = step, .positions = fluid.positions});
-    }
-    follow(fluid, *MadePeer::force_field_of(fluid), {}, trajectory);
-    for (JudgedFrame& frame : trajectory.frames) {
-        frame.positions = frame.our_positions;
-        frame.velocities = frame.our_velocities;
-    }
-    return trajectory;
-}
-
 /// What is said of velocities that a function of frame and atom makes.
 std::string said_of(const std::function<Vec3(const JudgedFrame&, std::size_t)>& velocity) {
-    JudgedTrajectory trajectory = right_motion(shaken_crystal());
+    JudgedTrajectory trajectory = right_trajectory(shaken_crystal(), {0, 1, 10});
     for (JudgedFrame& frame : trajectory.frames) {
         for (std::size_t i = 0; i < frame.velocities.size(); ++i) {
             frame.velocities[i] = velocity(frame, i);

@@ -19,6 +19,11 @@ struct RunSamples {
     std::vector<double> volume;            ///< [sigma^3]
 };
 
+/// Keep the rows of two runs that are of the same steps: runs from one start are compared over the same time.
+/// @param ours    sampled at `every`, 2 `every`, ...
+/// @param theirs  at the last of `steps`, which ascend; as many as it has samples
+void keep_common_rows(RunSamples& ours, Index every, RunSamples& theirs, const std::vector<Index>& steps);
+
 /// What is sampled.
 struct RunConditions {
     Index atoms;
@@ -48,11 +53,11 @@ struct ComparedMean {
 };
 
 /// A right run fails a check of averages by chance once in so many times.
-inline constexpr double checks_for_a_false_alarm = 1e5;
+inline constexpr double checks_for_a_false_alarm = 1e4;
 
 /// So many standard errors a right number is off once in checks_for_a_false_alarm times, if its variance is a sum of
-/// estimates: Student's t, with the degrees of freedom of the sum by Welch and Satterthwaite. 4.4 where errors are
-/// exact, 5.2 with 30 degrees of freedom, 7.2 with 12.
+/// estimates: Student's t, with the degrees of freedom of the sum by Welch and Satterthwaite. 3.9 where errors are
+/// exact, 4.5 with 30 degrees of freedom, 5.7 with 12.
 [[nodiscard]] double limit_of_errors(const std::vector<Variance>& variances);
 
 /// The judgement of a run by the distributions of what it has sampled.
@@ -74,7 +79,7 @@ struct RunJudgement {
 ///     all          means of T, U/N, p (and V, H/N at constant pressure)
 ///     constant E   mean of U + K, its drift (slope of a straight line), and its spread from row to row
 ///     canonical    K is gamma distributed with shape f/2 and scale T: its mean f T/2 and its variance f T^2/2, and the
-///                  distance of Kolmogorov and Smirnov below 2.47
+///                  distance of Kolmogorov and Smirnov below 2.23
 ///     isobaric     the variances of V and of H, by their logarithms
 ///
 /// Each is off by no more standard errors than limit_of_errors() says. Standard errors are from block averages, so that

@@ -15,7 +15,7 @@ namespace ljmd {
 ///     velocities              v' = -v; v' = c v; v' = 0; v' = v + const; two axes are exchanged, or one has the wrong
 ///                             sign; they stand in the rows of other atoms; one atom alone is wrong, with its id
 ///
-/// Frames are looked at as long as the two trajectories are together.
+/// Frames are looked at as long as the two trajectories are together, and their positions are right.
 /// @param agreement  below it nothing is a difference
 /// @return a sentence about the first frame whose mistake is known; nothing if there is none
 [[nodiscard]] std::optional<std::string> diagnose_velocities(const JudgedTrajectory& trajectory,
