@@ -36,6 +36,7 @@ for number, row in enumerate(atoms, 1):
 (work / "start.xyz").write_text("\n".join([*lines[:2], *rows]) + "\n", encoding="utf-8")
 potential, run = problem["potential"], problem["run"]
 switch = f'switch_start = {potential["switch_start"]!r}\n' if "switch_start" in potential else ""
+search = 'method = "all-pairs"' if problem["atoms"] < 200 else "skin = 0.5"
 deck = f"""\
 title = "engine"
 
@@ -50,7 +51,7 @@ truncation = "{potential["truncation"]}"
 {switch}tail = {str(potential["tail"]).lower()}
 
 [neighbors]
-method = "all-pairs"
+{search}
 
 [[stage]]
 name = "run"

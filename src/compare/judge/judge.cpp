@@ -226,7 +226,8 @@ class Session {
                                  .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
                                  .our_freedom = freedom_of(stage, expected_.atoms)};
         conditions.squared_frequency = expected_.squared_frequency();
-        conditions.same_motion = is_verlet_at_constant_energy() && !is_mixed_;
+        conditions.same_motion = is_verlet_at_constant_energy();
+        conditions.same_precision = !is_mixed_;
         conditions.digits = digits_of_table;
         if (stage.thermostat) conditions.temperature = stage.temperature;
         conditions.pressure = held_pressure(stage);

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "explanations.hpp"
+#include "ljmd/compare/judge/few_digits.hpp"
 
 namespace ljmd {
 
@@ -120,6 +121,10 @@ class ColumnJudgement {
                         }),
                         "half-step velocities: the kinetic energy of thermo.csv is the mean of those half a time step "
                         "earlier and later, as leapfrog gives it");
+        }
+        for (const Rounding& way : roundings()) {
+            known.offer(distance([&](Index step) { return way.round(right(step)); }),
+                        fmt::format("few digits: {} has {}", column, way.words));
         }
         if (const auto words = known.best()) {
             result.mistakes.push_back(*words);

@@ -115,8 +115,10 @@ class Judge {
         } else {
             leave_out("mean pressure", "the engine's kinetic energy has other degrees of freedom");
         }
-        if (conditions_.same_motion) {
+        if (conditions_.same_motion && conditions_.same_precision) {
             judge_total_energy();
+        } else if (!conditions_.temperature && !conditions_.pressure) {
+            leave_out("total energy", "it has another error with another integrator or precision");
         }
         if (conditions_.temperature) {
             judge_kinetic_energy();

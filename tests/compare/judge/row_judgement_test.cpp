@@ -1,6 +1,7 @@
 #include "ljmd/compare/judge/row_judgement.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "compare/judge/small_problem.hpp"
 #include "ljmd/compare/judge/own_run.hpp"
@@ -145,4 +146,14 @@ TEST_CASE("a constant or a factor of all rows is no mistake of rows, and is told
     }
     CHECK_FALSE(failed_of(rows.judged(table)).empty());
     CHECK(rows.judged(table).others.empty());
+}
+
+TEST_CASE("a table of few digits is named by how many it has") {
+    const Rows rows;
+    ThermoAnswer table = rows.table();
+    for (double& u : table.potential_energy) {
+        u = std::round(u * 1e4) / 1e4;
+    }
+    CHECK(rows.judged(table).mistakes ==
+          std::vector<std::string>{"few digits: the potential energy of thermo.csv has 4 decimals"});
 }

@@ -29,7 +29,7 @@ struct RowConditions {
 /// The judgement of the rows of a table while two trajectories are together.
 struct RowJudgement {
     std::vector<Check> checks;
-    std::vector<std::string> mistakes;  ///< rows of another step, or of velocities of half a step earlier or later
+    std::vector<std::string> mistakes;  ///< rows of another step, of velocities half a step off, of few digits
     std::vector<std::string> others;  ///< a constant that is added, or a factor: as a mistake of the start leaves them
 };
 

@@ -33,6 +33,7 @@ struct RunConditions {
     Index freedom;                        ///< degrees of freedom of the engine's kinetic energy, see freedom_of()
     Index our_freedom;                    ///< of ljmd's
     double squared_frequency = 0.0;       ///< sum of F^2/(3 N T): mean square of the frequencies of the atoms [1/tau^2]
+    bool same_precision = true;           ///< of both; a walk by rounding is larger in single precision
     bool same_motion = false;             ///< constant energy, and the method of both is velocity Verlet
     double digits = 1e-9;                 ///< relative differences that are none because numbers have been through text
 
