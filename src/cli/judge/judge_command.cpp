@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/judge/answer_reader.hpp"
 #include "ljmd/compare/judge/engine_command.hpp"
+#include "ljmd/compare/judge/engine_speed.hpp"
 #include "ljmd/compare/judge/judge.hpp"
+#include "ljmd/compare/judge/own_run.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/files/file_system.hpp"
@@ -48,6 +51,11 @@ double seconds_of(const std::string& timeout) {
             "--timeout: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", timeout));
     }
     return *seconds;
+}
+
+/// The speed is measured if it is asked for by name: the engine runs six times more.
+bool wants_speed(const CrosscheckOptions& compared) {
+    return std::ranges::find(compared.parts, "speed") != compared.parts.end();
 }
 
 /// Take off the velocity of the centre of mass, which a stage before may have left; the atoms have equal masses.
@@ -110,6 +118,7 @@ class Session {
         files::remove(place / log_name);   // no child process follows a link
         make_directory(output);
         say("running the engine");
+        line_ = command;
         finish(problem, scratch ? answer_of_engine(line, place, problem, {{output, "{output}"}, {input, "{input}"}},
                                                    "\n  --out DIR keeps the files of the engine")
                                 : answer_of_engine(line, place, problem,
@@ -227,9 +236,48 @@ class Session {
         }
     }
 
+    /// The speed of the engine's run beside that of ljmd, each in new directories and by the same clock.
+    [[nodiscard]] std::optional<EngineSpeed> speed_of(const Problem& problem) const {
+        using Clock = std::chrono::steady_clock;
+        const auto timed = [](const auto& work) {
+            const auto begin = Clock::now();
+            work();
+            return std::chrono::duration<double>(Clock::now() - begin).count();
+        };
+        Problem part = problem;
+        part.parts = {"averages"};
+        part.frames = {0};
+        part.trajectory_steps = 0;
+        const auto ours = [&](Index steps) {
+            part.stage.steps = steps;
+            return timed([&] { static_cast<void>(own_run(part, own_.spec, own_.execution, until_signal())); });
+        };
+        const auto theirs = [&](Index steps) {
+            part.stage.steps = steps;
+            const ScratchDirectory scratch;
+            const fs::path input = scratch.path() / problem_folder;
+            const fs::path output = scratch.path() / answer_folder;
+            make_directory(input);
+            make_directory(output);
+            write_problem(part, input);
+            return timed([&] {
+                run_engine(engine_command(line_, input, output), scratch.path() / log_name,
+                           {.seconds = seconds_of(compared_.timeout), .folder = output}, until_signal());
+            });
+        };
+        return compare_speed(ours, theirs, problem.stage.steps, problem.thermo_every);
+    }
+
     void finish(const Problem& problem, const Answer& answer) {
-        const Judgement found = judge(
+        Judgement found = judge(
             problem, answer, own_, [&](const std::string& text) { say(text); }, until_signal());
+        if (wants_speed(compared_)) {
+            say("measuring speeds");
+            found.speed = problem.stage.steps >= 2 * problem.thermo_every ? speed_of(problem) : std::nullopt;
+            if (!found.speed) {
+                found.not_judged.emplace_back("speed: the run is too short to be told from its start-up");
+            }
+        }
         const std::string json = judgement_json(found, deck_, compared_.with) + "\n";
         if (!out_.empty()) {
             make_directory(out_);
@@ -248,7 +296,7 @@ class Session {
                 "ljmd's own run of {} failed, so that averages cannot be judged; the engine is not at fault: {}",
                 deck_.path, found.own_failure));
         }
-        if (found.checks.empty()) {
+        if (found.checks.empty() && !found.speed) {
             throw DataError("nothing was judged: the answer has nothing that the problem asks for");
         }
     }
@@ -260,6 +308,7 @@ class Session {
     std::string out_;
     Progress progress_;
     OwnSide own_;
+    std::string line_;  ///< of the engine, with {input} and {output}
 };
 
 }  // namespace
@@ -273,8 +322,8 @@ void check_engine_options(const CrosscheckOptions& compared) {
     if (compared.platform != usual.platform) {
         throw InputError("--platform is OpenMM's: an engine has none");
     }
-    if (std::ranges::find(compared.parts, "speed") != compared.parts.end()) {
-        throw InputError("--parts: the speed of an engine is not measured; allowed: point, trajectory, averages");
+    if (wants_speed(compared) && compared.with.starts_with(by_files)) {
+        throw InputError("--parts: files by hand have no speed; allowed: point, trajectory, averages");
     }
     if (!compared.wants("trajectory") && (compared.steps != usual.steps || compared.frames != usual.frames)) {
         throw InputError("--steps and --frames are those of the trajectory, which --parts leaves out");

@@ -1,220 +1,18 @@
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
+#include "frame_vectors.hpp"
 #include "ljmd/compare/judge/frame_judgement.hpp"
-#include "ljmd/compare/judge/near_pairs.hpp"
 #include "ljmd/compare/judge/net_force.hpp"
+#include "ljmd/compare/judge/velocity_diagnosis.hpp"
+#include "missing_pairs.hpp"
+#include "start_diagnosis.hpp"
 
 namespace ljmd {
 
 namespace {
-
-/// A mistake is found if it explains all of a difference but this part.
-constexpr double unexplained_of_frames = 1e-2;
-
-/// Steps over which two trajectories are close enough to compare velocities atom by atom.
-constexpr Index last_close_step = 100;
-
-/// The pairs among atoms with wrong forces, as far as a system of equations is solved for them.
-constexpr std::size_t most_pairs = 400;
-
-double root_of_squares(const std::vector<Vec3>& vectors) {
-    double sum = 0.0;
-    for (const Vec3& v : vectors) {
-        sum += v.squaredNorm();
-    }
-    return std::sqrt(sum);
-}
-
-/// a + c b - d, summed in squares.
-double distance(const std::vector<Vec3>& a, double c, const std::vector<Vec3>& b, const std::vector<Vec3>& d) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        sum += (a[i] + c * b[i] - d[i]).squaredNorm();
-    }
-    return std::sqrt(sum);
-}
-
-const JudgedFrame* frame_of(const JudgedTrajectory& trajectory, Index step) {
-    const auto found = std::ranges::find(trajectory.frames, step, &JudgedFrame::step);
-    return found == trajectory.frames.end() ? nullptr : &*found;
-}
-
-/// Positions of an engine as those images that are nearest to ours.
-std::vector<Vec3> nearest_to_ours(const JudgedFrame& frame, const Vec3& edges) {
-    std::vector<Vec3> places;
-    places.reserve(frame.positions.size());
-    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-        const Vec3 apart = frame.positions[i] - frame.our_positions[i];
-        const Vec3 images = (apart.array() / edges.array()).round();
-        places.emplace_back(frame.positions[i] - images.cwiseProduct(edges));
-    }
-    return places;
-}
-
-/// Velocities of half a step before or after the positions.
-std::string half_step_velocities(const JudgedTrajectory& trajectory, const Agreement& agreement) {
-    for (const JudgedFrame& frame : trajectory.frames) {
-        if (frame.step > last_close_step || frame.velocities.empty() || frame.our_velocities.empty()) {
-            continue;
-        }
-        const double off = distance(frame.velocities, 0.0, frame.our_forces, frame.our_velocities);
-        if (!(off > agreement.kinetic_energy * root_of_squares(frame.our_velocities))) {
-            continue;
-        }
-        for (const double side : {-1.0, 1.0}) {
-            // v' - side a dt/2 is the velocity at the time of the positions, if v' is at t + side dt/2.
-            const double half = 0.5 * trajectory.time_step;
-            if (distance(frame.velocities, -side * half, frame.our_forces, frame.our_velocities) <
-                unexplained_of_frames * off) {
-                return fmt::format(
-                    "half-step velocities: in the frame of step {} velocities are those of half a time step {}: v(t) = "
-                    "v' {} a(t) dt/2",
-                    frame.step, side < 0.0 ? "earlier" : "later", side < 0.0 ? "+" : "-");
-            }
-        }
-    }
-    return "";
-}
-
-/// What the first step tells: the start's velocities were taken for velocities at another time, or the time step is
-/// another.
-std::string first_step(const JudgedTrajectory& trajectory, const Agreement& agreement) {
-    const JudgedFrame* start = frame_of(trajectory, 0);
-    const JudgedFrame* frame = frame_of(trajectory, 1);
-    if (start == nullptr || frame == nullptr || start->our_positions.empty() || frame->our_positions.empty()) {
-        return "";
-    }
-    const std::vector<Vec3> places = nearest_to_ours(*frame, trajectory.edges);
-    const double dt = trajectory.time_step;
-    const double off = distance(places, 0.0, places, frame->our_positions);
-    const double noise = agreement.positions.empty() ? 0.0 : agreement.positions.front().distance;
-    if (!(off > noise * std::sqrt(static_cast<double>(places.size())))) {
-        return "";
-    }
-    const double kick = 0.5 * dt * dt;
-    for (const double side : {-1.0, 1.0}) {
-        if (distance(places, -side * kick, start->our_forces, frame->our_positions) < unexplained_of_frames * off) {
-            return fmt::format(
-                "half-step start: at step 1 the atoms are a(0) dt^2/2 {}: the velocities of the start, of t = 0, were "
-                "taken for those of t = {}dt/2",
-                side > 0.0 ? "too far" : "too near", side > 0.0 ? "-" : "+");
-        }
-    }
-    // r'(1) - r(0) = v dt' + a dt'^2/2, by Newton's method from dt.
-    double other = dt;
-    std::vector<Vec3> slope(places.size());
-    std::vector<Vec3> rest(places.size());
-    for (int k = 0; k < 20; ++k) {
-        double a = 0.0;
-        double b = 0.0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const Vec3& v = start->our_velocities[i];
-            const Vec3& f = start->our_forces[i];
-            slope[i] = v + other * f;
-            rest[i] = places[i] - start->our_positions[i] - other * v - 0.5 * other * other * f;
-            a += slope[i].dot(rest[i]);
-            b += slope[i].squaredNorm();
-        }
-        other += b > 0.0 ? a / b : 0.0;
-    }
-    if (root_of_squares(rest) < unexplained_of_frames * off) {
-        return fmt::format(
-            "another time step: at step 1 the atoms are where a time step of {:.10g} takes them, where it is {:g}",
-            other, dt);
-    }
-    return "";
-}
-
-/// Forces of a frame that are wrong, as far as pairs within the cutoff explain them.
-class MissingPairs {
-  public:
-    MissingPairs(const JudgedFrame& frame, const Vec3& edges, const PairPotential& potential, double noise)
-        : pairs_(frame.positions, edges, potential.cutoff().radius) {
-        for (std::size_t i = 0; i < frame.forces.size(); ++i) {
-            lacking_.emplace_back(frame.forces_there[i] - frame.forces[i]);
-            wrong_.push_back(!(lacking_[i].norm() <= noise));
-        }
-        for (const NearPairs::Pair& pair : pairs_.pairs()) {
-            if (wrong_[pair.i] && wrong_[pair.j]) {
-                candidates_.push_back(pair);
-                forces_.emplace_back(potential(pair.distance).w * pair.separation);
-            }
-        }
-    }
-
-    [[nodiscard]] Index wrong_atoms() const { return std::ranges::count(wrong_, true); }
-
-    /// Number of missing pairs if those are missing that were farthest apart in an earlier frame; 0 if that explains
-    /// nothing.
-    [[nodiscard]] std::size_t farthest_in(const JudgedFrame& earlier, const Vec3& edges) const {
-        std::vector<std::pair<double, std::size_t>> order;
-        for (std::size_t k = 0; k < candidates_.size(); ++k) {
-            const Vec3 apart = earlier.positions[candidates_[k].i] - earlier.positions[candidates_[k].j];
-            const Vec3 images = (apart.array() / edges.array()).round();
-            order.emplace_back(-(apart - images.cwiseProduct(edges)).norm(), k);
-        }
-        std::ranges::sort(order);
-        std::vector<Vec3> rest = lacking_;
-        double least = unexplained_of_frames * root_of_squares(rest);
-        std::size_t missing = 0;
-        for (std::size_t n = 0; n < order.size(); ++n) {
-            take_off(rest, order[n].second, 1.0);
-            if (const double left = root_of_squares(rest); left < least) {
-                least = left;
-                missing = n + 1;
-            }
-        }
-        return missing;
-    }
-
-    /// Number of missing pairs if every pair of wrong atoms is there or missing: least squares for the part of each
-    /// pair that is missing. 0 if parts are not 0 or 1, or if there are too many pairs to tell.
-    [[nodiscard]] std::size_t of_any() const {
-        if (candidates_.empty() || candidates_.size() > most_pairs) {
-            return 0;
-        }
-        Eigen::MatrixXd matrix =
-            Eigen::MatrixXd::Zero(static_cast<Index>(3 * lacking_.size()), std::ssize(candidates_));
-        Eigen::VectorXd right(static_cast<Index>(3 * lacking_.size()));
-        for (std::size_t i = 0; i < lacking_.size(); ++i) {
-            right.segment<3>(static_cast<Index>(3 * i)) = lacking_[i];
-        }
-        for (std::size_t k = 0; k < candidates_.size(); ++k) {
-            matrix.block<3, 1>(static_cast<Index>(3 * candidates_[k].i), static_cast<Index>(k)) = forces_[k];
-            matrix.block<3, 1>(static_cast<Index>(3 * candidates_[k].j), static_cast<Index>(k)) = -forces_[k];
-        }
-        const Eigen::VectorXd parts = matrix.colPivHouseholderQr().solve(right);
-        std::vector<Vec3> rest = lacking_;
-        std::size_t missing = 0;
-        for (std::size_t k = 0; k < candidates_.size(); ++k) {
-            const double part = parts[static_cast<Index>(k)];
-            if (std::abs(part - std::round(part)) > unexplained_of_frames) {
-                return 0;
-            }
-            missing += std::round(part) == 1.0 ? 1 : 0;
-            take_off(rest, k, std::round(part));
-        }
-        return root_of_squares(rest) < unexplained_of_frames * root_of_squares(lacking_) ? missing : 0;
-    }
-
-  private:
-    void take_off(std::vector<Vec3>& rest, std::size_t k, double part) const {
-        rest[candidates_[k].i] -= part * forces_[k];
-        rest[candidates_[k].j] += part * forces_[k];
-    }
-
-    NearPairs pairs_;
-    std::vector<Vec3> lacking_;  ///< F - F' of each atom
-    std::vector<bool> wrong_;
-    std::vector<NearPairs::Pair> candidates_;  ///< between wrong atoms
-    std::vector<Vec3> forces_;                 ///< of the candidates
-};
 
 double largest_difference(const JudgedFrame& frame) {
     double largest = 0.0;
@@ -252,26 +50,30 @@ std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& 
     if (const auto words = net_force(wrong->forces, wrong->forces_there, noise_of_all)) {
         return fmt::format("at step {}, {}", wrong->step, *words);
     }
-    const MissingPairs lacking(*wrong, trajectory.edges, potential, noise_of(*wrong, tolerance));
+    const MissingPairs lacking(wrong->positions, wrong->forces, wrong->forces_there, trajectory.edges, potential,
+                               noise_of(*wrong, tolerance));
     std::size_t missing = 0;
     for (auto earlier = trajectory.frames.begin(); earlier != wrong && missing == 0; ++earlier) {
-        missing = lacking.farthest_in(*earlier, trajectory.edges);
+        missing = lacking.farthest_in(earlier->positions, trajectory.edges).size();
     }
-    if (missing == 0) {
-        missing = lacking.of_any();
-    }
+    const std::string from = fmt::format("forces are right at step {}, and at step {}", right->step, wrong->step);
     if (missing > 0) {
         return fmt::format(
-            "stale list: forces are right at step {}, and at step {} those of {} pair{} within the cutoff are missing, "
-            "on {} "
-            "atoms: a neighbour list that is built too seldom, or too short",
-            right->step, wrong->step, missing, missing == 1 ? "" : "s", lacking.wrong_atoms());
+            "stale list: {} those of {} pair{} within the cutoff are missing, on {} atoms, which were the farthest "
+            "apart "
+            "before: a neighbour list that is built too seldom, or too short",
+            from, missing, missing == 1 ? "" : "s", lacking.wrong_atoms());
     }
-    return fmt::format(
-        "stale list or state: forces are right at step {}, and at step {} wrong on {} of {} atoms: they are not those "
-        "of "
-        "the positions beside them",
-        right->step, wrong->step, lacking.wrong_atoms(), wrong->forces.size());
+    if (const auto pairs = lacking.of_any(); !pairs.empty()) {
+        return fmt::format(
+            "missing pair: {} those of {} pair{} are missing, of the ids {} and {}{}, which were not the farthest "
+            "apart "
+            "before: pairs that are excluded, as bonded ones are, or that a list loses",
+            from, pairs.size(), pairs.size() == 1 ? "" : "s", pairs.front().i + 1, pairs.front().j + 1,
+            pairs.size() == 1 ? "" : " for one");
+    }
+    return fmt::format("stale state: {} wrong on {} of {} atoms: they are not those of the positions beside them", from,
+                       lacking.wrong_atoms(), wrong->forces.size());
 }
 
 /// Atoms of the first frame that stand in the places of others.
@@ -335,8 +137,14 @@ std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
             words.push_back(sentence);
         }
     };
-    note(first_step(trajectory, agreement));
-    note(half_step_velocities(trajectory, agreement));
+    if (const std::string digits = other_digits(trajectory, agreement); !digits.empty()) {
+        return {digits};  // the same
+    }
+    const JudgedFrame* start = frame_of(trajectory, 0);
+    if (start == nullptr || start->forces.empty() || has_right_forces(*start, agreement.largest_force)) {
+        note(first_step(trajectory, agreement));  // else it is the forces that take the atoms elsewhere
+    }
+    note(diagnose_velocities(trajectory, agreement).value_or(""));
     note(stale_list(trajectory, potential, agreement.largest_force));
     if (words.empty()) {
         note(integration(trajectory, agreement));

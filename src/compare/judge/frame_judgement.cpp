@@ -12,6 +12,8 @@ namespace {
 /// Forces below this are rounding errors of a vanishing sum.
 constexpr double vanishing_force_of_frame = 1e-9;
 
+constexpr double fastest_motion = 40.0;  // [1/tau]
+
 double kinetic_energy(const std::vector<Vec3>& velocities) {
     double twice = 0.0;
     for (const Vec3& v : velocities) {
@@ -33,6 +35,21 @@ double largest_distance(const JudgedFrame& frame, const Vec3& edges) {
         const Vec3 apart = frame.positions[i] - frame.our_positions[i];
         const Vec3 images = (apart.array() / edges.array()).round();
         largest = larger_or_nan(largest, (apart - images.cwiseProduct(edges)).norm());
+    }
+    return largest;
+}
+
+std::optional<double> velocity_limit(const Agreement& agreement, Index step, double time_step) {
+    const auto distance = limit_at(agreement.positions, step);
+    return distance ? std::optional(
+                          std::max(fastest_motion * *distance, 2.0 * agreement.positions.front().distance / time_step))
+                    : std::nullopt;
+}
+
+double largest_velocity_difference(const JudgedFrame& frame) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < frame.velocities.size(); ++i) {
+        largest = larger_or_nan(largest, (frame.velocities[i] - frame.our_velocities[i]).norm());
     }
     return largest;
 }
@@ -60,6 +77,15 @@ std::vector<Check> check_trajectory(const JudgedTrajectory& trajectory, const st
         if (const auto limit = limit_at(agreement.positions, frame.step); limit && !frame.our_positions.empty()) {
             checks.push_back(
                 {fmt::format("step {}: positions", frame.step), largest_distance(frame, trajectory.edges), *limit});
+        }
+        if (const auto limit = velocity_limit(agreement, frame.step, trajectory.time_step);
+            limit && !frame.velocities.empty() && !frame.our_velocities.empty()) {
+            const double atoms = static_cast<double>(frame.velocities.size());
+            const double rms =
+                std::sqrt(2.0 * std::max(kinetic_at_start, kinetic_energy(frame.our_velocities)) / atoms);
+            const double unit = rms > 0.0 ? rms : 1.0;
+            checks.push_back({fmt::format("step {}: velocities", frame.step), largest_velocity_difference(frame) / unit,
+                              *limit / unit});
         }
         if (frame.step <= last_step_of_kinetic_energy && !frame.velocities.empty() && !frame.our_velocities.empty() &&
             std::isfinite(agreement.kinetic_energy)) {

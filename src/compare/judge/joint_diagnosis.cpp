@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "explanations.hpp"
 #include "ljmd/compare/judge/near_pairs.hpp"
+#include "odd_pairs.hpp"
 
 namespace ljmd {
 
@@ -45,60 +47,40 @@ class Case {
         : fluid_(fluid),
           expected_(expected),
           answer_(answer),
+          tolerance_(tolerance),
           parts_(expected, answer, tolerance),
           range_(std::min(farthest * fluid.potential.cutoff().radius, 0.5 * fluid.edges.minCoeff())),
           pairs_(fluid.positions, fluid.edges, range_) {}
 
-    /// The first mistake that explains energy, virial and forces together.
-    [[nodiscard]] std::optional<std::string> joint() const {
-        for (const auto find : {&Case::epsilon, &Case::missing_images, &Case::other_cutoff, &Case::sigma}) {
-            if (auto words = (this->*find)()) {
-                return words;
-            }
-        }
-        return std::nullopt;
+    /// The mistake that explains most.
+    [[nodiscard]] std::optional<std::string> joint() {
+        epsilon();
+        missing_images();
+        other_cutoff();
+        sigma();
+        offer_odd_pairs(fluid_, expected_, answer_, parts_, tolerance_, known_);
+        offer_digits_of_start(fluid_, parts_, known_);
+        return known_.best();
     }
 
   private:
-    /// Whether the sums made with a mistake are the answer's. One number alone, which a parameter of a mistake
-    /// can always meet, explains nothing.
-    [[nodiscard]] bool explain(const PairSums& sums) const {
-        int numbers = 0;
-        bool some = false;
-        const auto explained = [&](const AnswerPart& with, const AnswerPart& without) {
-            some = some || without.is_wrong();
-            return with.off <= std::max(with.noise, unexplained_of_point * without.off);
-        };
-        bool all = true;
-        if (answer_.potential_energy) {
-            all = all && explained(parts_.energy(sums), parts_.energy(expected_.sums));
-            ++numbers;
+    void offer(const PairSums& sums, const std::string& words) {
+        if (const std::optional<double> left = parts_.unexplained(sums)) {
+            known_.offer(*left, words);
         }
-        if (answer_.virial) {
-            all = all && explained(parts_.virial(sums), parts_.virial(expected_.sums));
-            ++numbers;
-        }
-        if (!answer_.forces.empty()) {
-            all = all && explained(parts_.forces(sums), parts_.forces(expected_.sums));
-            numbers += 2;
-        }
-        return all && some && numbers > 1;
     }
 
-    [[nodiscard]] std::optional<std::string> epsilon() const {
+    void epsilon() {
         const std::optional<double> c = parts_.factor();
-        if (!c || !std::isfinite(*c)) {
-            return std::nullopt;
+        if (c && std::isfinite(*c)) {
+            offer(pairs_.sums(fluid_.potential, {.epsilon = *c}),
+                  fmt::format(
+                      "epsilon off: energy, virial and forces are those of an epsilon of {:.10g}, where it is 1", *c));
         }
-        if (explain(pairs_.sums(fluid_.potential, {.epsilon = *c}))) {
-            return fmt::format(
-                "epsilon off: energy, virial and forces are those of an epsilon of {:.10g}, where it is 1", *c);
-        }
-        return std::nullopt;
     }
 
     /// Each direction may miss its images on both sides, on one of them or on none.
-    [[nodiscard]] std::optional<std::string> missing_images() const {
+    void missing_images() {
         using Sides = std::array<bool, 2>;
         static constexpr std::array<Sides, 4> ways{{{false, false}, {true, true}, {true, false}, {false, true}}};
         const std::size_t count = ways.size();
@@ -106,13 +88,12 @@ class Case {
             const NearPairs::MissedImages missed{ways[k % count], ways[k / count % count], ways[k / count / count]};
             const bool one_sided = std::ranges::any_of(missed, [](const Sides& sides) { return sides[0] != sides[1]; });
             for (const bool alone : {false, true}) {
-                if ((one_sided || !alone) &&
-                    explain(pairs_.sums(fluid_.potential, {.missed = missed, .each_atom_alone = alone}))) {
-                    return in_words(missed, alone);
+                if (one_sided || !alone) {
+                    offer(pairs_.sums(fluid_.potential, {.missed = missed, .each_atom_alone = alone}),
+                          in_words(missed, alone));
                 }
             }
         }
-        return std::nullopt;
     }
 
     [[nodiscard]] static std::string in_words(const NearPairs::MissedImages& missed, bool alone) {
@@ -150,7 +131,7 @@ class Case {
         return answer_.virial ? parts_.virial(sums).off : parts_.energy(sums).off;
     }
 
-    [[nodiscard]] std::optional<std::string> sigma() const {
+    void sigma() {
         const double cutoff = fluid_.potential.cutoff().radius;
         for (const bool moves : {false, true}) {
             // u(r/s) within rc: the cutoff in units of s sigma is rc/s.
@@ -160,13 +141,11 @@ class Case {
             const auto sums = [&](double s) { return pairs_.sums(potential(s), {.sigma = s}); };
             const double s = best_scale([&](double scale) { return distance(sums(scale)); },
                                         moves ? std::min(largest_scale, range_ / cutoff) : largest_scale);
-            if (explain(sums(s))) {
-                return fmt::format(
-                    "sigma off: energy, virial and forces are those of a sigma of {:.10g}, where it is 1{}", s,
-                    moves ? ", and the cutoff with it" : "");
-            }
+            offer(sums(s),
+                  fmt::format("sigma off: energy, virial and forces are those of a sigma of {:.10g}, where it is "
+                              "1{}",
+                              s, moves ? ", and the cutoff with it" : ""));
         }
-        return std::nullopt;
     }
 
     /// The scale of length with the smallest distance: by a grid, then by golden section.
@@ -187,7 +166,7 @@ class Case {
         return golden_section(off, best - width, std::min(best + width, highest));
     }
 
-    [[nodiscard]] std::optional<std::string> other_cutoff() const {
+    void other_cutoff() {
         const double cutoff = fluid_.potential.cutoff().radius;
         const auto sums = [&](double radius) { return pairs_.sums(with_cutoff(fluid_.potential, radius)); };
         const std::string& truncation = fluid_.potential.truncation();
@@ -201,13 +180,12 @@ class Case {
                                           return answer_.potential_energy ? parts_.energy(found).off : distance(found);
                                       },
                                       low, high);
-        if (std::abs(refined - cutoff) > 1e-12 && explain(sums(refined))) {
-            return fmt::format(
-                "other cutoff: energy, virial and forces are those of a cutoff between {:.8g} and {:.8g}, where it is "
-                "{:g}",
-                low, high, cutoff);
+        if (std::abs(refined - cutoff) > 1e-12) {
+            offer(sums(refined),
+                  fmt::format("other cutoff: energy, virial and forces are those of a cutoff between {:.8g} "
+                              "and {:.8g}, where it is {:g}",
+                              low, high, cutoff));
         }
-        return std::nullopt;
     }
 
     /// Forces of a plain cut or shift change with the cutoff where a pair comes in: pairs are added one by one in the
@@ -273,9 +251,11 @@ class Case {
     const Fluid& fluid_;
     const ExpectedPoint& expected_;
     const PointAnswer& answer_;
+    double tolerance_;
     AnswerParts parts_;
     double range_;
     NearPairs pairs_;
+    Explanations known_{1.0, 0.0, unexplained_of_point};  ///< in parts of the difference
 };
 
 }  // namespace
@@ -292,6 +272,22 @@ AnswerPart AnswerParts::virial(const PairSums& sums) const {
 
 AnswerPart AnswerParts::forces(const PairSums& sums) const {
     return {std::sqrt(squared_distance(answer_.forces, sums.forces)), tolerance_ * norm(expected_.sums.forces)};
+}
+
+std::optional<double> AnswerParts::unexplained(const PairSums& sums) const {
+    int numbers = 0;
+    bool some = false;
+    double most = 0.0;
+    const auto count = [&](const AnswerPart& with, const AnswerPart& without, int more) {
+        numbers += more;
+        some = some || without.is_wrong();
+        const double counted = with.off <= with.noise ? 0.0 : with.off / std::max(without.off, without.noise);
+        most = larger_or_nan(most, counted);
+    };
+    if (answer_.potential_energy) count(energy(sums), energy(expected_.sums), 1);
+    if (answer_.virial) count(virial(sums), virial(expected_.sums), 1);
+    if (!answer_.forces.empty()) count(forces(sums), forces(expected_.sums), 2);
+    return most <= unexplained_of_point && some && numbers > 1 ? std::optional(most) : std::nullopt;
 }
 
 std::optional<double> AnswerParts::factor() const {

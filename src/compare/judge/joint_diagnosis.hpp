@@ -36,6 +36,11 @@ class AnswerParts {
     [[nodiscard]] bool virial_is_wrong() const { return answer_.virial && virial(expected_.sums).is_wrong(); }
     [[nodiscard]] bool forces_are_wrong() const { return !answer_.forces.empty() && forces(expected_.sums).is_wrong(); }
 
+    /// What a mistake leaves of the differences if the sums made with it are these: the largest part of a difference
+    /// that is left in any of energy, virial and forces. Nothing if more than a thousandth is left, if nothing was
+    /// wrong, or if the answer has one number alone, which a parameter of a mistake can always meet.
+    [[nodiscard]] std::optional<double> unexplained(const PairSums& sums) const;
+
     /// The factor between its forces and ours (least squares), else between the virials; nothing without both.
     [[nodiscard]] std::optional<double> factor() const;
 
@@ -45,8 +50,8 @@ class AnswerParts {
     double tolerance_;
 };
 
-/// The first mistake (of epsilon, images, cutoff, sigma) that explains energy, virial and forces of an answer together;
-/// nothing if none does.
+/// The mistake that explains most of energy, virial and forces of an answer together: of epsilon, sigma, images,
+/// cutoff, of one atom or pair, or of the digits of the start. Nothing if none does.
 [[nodiscard]] std::optional<std::string> joint_mistake(const Fluid& fluid, const ExpectedPoint& expected,
                                                        const PointAnswer& answer, double tolerance);
 

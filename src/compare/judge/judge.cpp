@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/compare/judge/few_digits.hpp"
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/own_run.hpp"
 #include "ljmd/compare/judge/point_judgement.hpp"
@@ -50,7 +51,7 @@ class Session {
         if (point.forces.empty()) leave_out("forces of the start", "missing in point.json, and there is no point.xyz");
         append(check_point(expected_, point, agreement_));
         diagnose(point, "");
-        few_digits(check_point(expected_, point, single_agreement(situation_)));
+        few_digits(check_point(expected_, point, single_agreement(situation_)), point.forces, "point.json");
     }
 
     void trajectory() {
@@ -105,7 +106,13 @@ class Session {
         if (first.step == 0 && !told && !first.forces.empty()) {
             diagnose({.forces = first.forces}, "frame of step 0: ");
         }
-        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
+        std::vector<Vec3> numbers;
+        for (const JudgedFrame& frame : trajectory.frames) {
+            for (const auto* vectors : {&frame.velocities, &frame.forces}) {
+                numbers.insert(numbers.end(), vectors->begin(), vectors->end());
+            }
+        }
+        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)), numbers, "the frames");
     }
 
     void run() {
@@ -124,9 +131,9 @@ class Session {
         if (table.steps.front() == 0) {
             first_row(table);
         }
-        const RunSamples theirs = samples_after_start(table);
-        const Index rows = std::ssize(table.steps) - (table.steps.front() == 0 ? 1 : 0);
-        if (rows == 0) {
+        rows(table);
+        RunSamples theirs = samples_after_start(table);
+        if (table.steps.back() == 0) {
             leave_out("averages", "thermo.csv has no row after step 0");
             return;
         }
@@ -142,6 +149,9 @@ class Session {
             result_.own_failure = error.what();
             leave_out("averages", fmt::format("ljmd's own run of the deck failed: {}", error.what()));
             return;
+        }
+        if (conditions.same_motion) {
+            keep_common_rows(ours, problem_.thermo_every, theirs, table.steps);
         }
         RunJudgement judged = judge_run(conditions, ours, theirs);
         append(judged.checks);
@@ -189,17 +199,24 @@ class Session {
         }
     }
 
-    /// @param wide  the same checks as those that were appended last, by the tolerances of single precision
-    void few_digits(const std::vector<Check>& wide) {
+    /// @param wide     the same checks as those that were appended last, by the tolerances of single precision
+    /// @param numbers  that were written, where their digits show
+    void few_digits(const std::vector<Check>& wide, const std::vector<Vec3>& numbers, const char* where) {
         const auto begin = result_.checks.end() - std::ssize(wide);
         const bool some = std::any_of(begin, result_.checks.end(), [](const Check& check) { return !check.passed(); });
         const bool all = std::ranges::all_of(wide, [](const Check& check) { return check.passed(); });
-        if (some && all && result_.diagnoses.empty()) {
-            note(
-                "few digits: all differences are as small as those of single precision: the engine computes in it, or "
-                "its "
-                "files have less than 15 digits; with --precision mixed it is judged by that");
+        if (!some || !all || !result_.diagnoses.empty()) {
+            return;
         }
+        const auto digits = digits_of(numbers);
+        const bool is_single = digits == "single precision";
+        note(digits && !is_single
+                 ? fmt::format("few digits: numbers of {} have {}; 17 significant digits are exact", where, *digits)
+                 : fmt::format(
+                       "single precision: all differences are as small as those of single precision{}: the engine "
+                       "computes in it, or numbers lose digits on the way; with --precision mixed it is judged by "
+                       "that",
+                       is_single ? ", and numbers have its digits" : ""));
     }
 
     [[nodiscard]] RunConditions conditions_of_run() const {
@@ -208,6 +225,10 @@ class Session {
                                  .time_step = stage.time_step,
                                  .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
                                  .our_freedom = freedom_of(stage, expected_.atoms)};
+        conditions.squared_frequency = expected_.squared_frequency();
+        conditions.same_motion = is_verlet_at_constant_energy();
+        conditions.same_precision = !is_mixed_;
+        conditions.digits = digits_of_table;
         if (stage.thermostat) conditions.temperature = stage.temperature;
         conditions.pressure = held_pressure(stage);
         return conditions;
@@ -265,6 +286,47 @@ class Session {
                                     side < 0.0 ? "earlier" : "later"));
                 }
             }
+        }
+    }
+
+    [[nodiscard]] bool is_verlet_at_constant_energy() const {
+        const Stage& stage = problem_.stage;
+        return !stage.thermostat && !stage.barostat &&
+               (stage.integrator.name == "velocity-verlet" || stage.integrator.name == "leapfrog");
+    }
+
+    /// Rows of a run at constant energy, while the engine's trajectory and ours are together.
+    void rows(const ThermoAnswer& table) {
+        const Stage& stage = problem_.stage;
+        if (stage.thermostat || stage.barostat) {
+            return;  // each program has its own random numbers, and its own way
+        }
+        if (!is_verlet_at_constant_energy()) {
+            leave_out("rows of thermo.csv", "the deck's integrator is not velocity Verlet");
+            return;
+        }
+        const auto after_start = std::ranges::upper_bound(table.steps, 0);
+        const Index together = agreement_.positions.empty() ? 0 : agreement_.positions.back().step;
+        if (after_start == table.steps.end() || *after_start > together) {
+            leave_out("rows of thermo.csv", fmt::format("there is none from step 1 to step {}, where two programs are "
+                                                        "still together",
+                                                        together));
+            return;
+        }
+        const Index last = *std::prev(std::ranges::upper_bound(table.steps, together));
+        const FluidSpec& spec = own_.spec;
+        const RowJudgement judged = judge_rows(table,
+                                               own_rows(problem_.fluid, spec.interaction().tail, *force_field(),
+                                                        own_.execution, stage.time_step, last + 1),
+                                               {.atoms = expected_.atoms,
+                                                .volume = expected_.volume,
+                                                .thermo_every = problem_.thermo_every,
+                                                .agreement = agreement_,
+                                                .digits = is_mixed_ ? noise_of_mixed_precision : digits_of_table});
+        append(judged.checks);
+        for (const std::string& words : judged.mistakes) note(words);
+        if (result_.diagnoses.empty()) {
+            for (const std::string& words : judged.others) note(words);
         }
     }
 

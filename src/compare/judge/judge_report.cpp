@@ -37,6 +37,17 @@ std::string list(const std::string& title, const std::vector<std::string>& items
     return text.empty() ? text : title + "\n" + text + "\n";
 }
 
+std::string speed_lines(const EngineSpeed& speed, Index atoms) {
+    const auto in_words = [&](double steps) {
+        return fmt::format("{:.3g} steps/s, {:.3g} atom-steps/s", steps, steps * static_cast<double>(atoms));
+    };
+    return fmt::format(
+        "speed of the run, not judged: medians of 3 rounds of {} steps, without start-up\n"
+        "  ljmd    {}\n  engine  {}; {:.3g} of ljmd's\n"
+        "  the engine's start-up, not in its speed: {:.2g} s\n\n",
+        speed.steps, in_words(speed.ours), in_words(speed.theirs), speed.theirs / speed.ours, speed.start_up);
+}
+
 Data estimate_data(const Estimate& estimate) {
     return {{"mean", estimate.mean}, {"standard_error", estimate.standard_error}};
 }
@@ -51,6 +62,9 @@ std::string judgement_table(const Judgement& found, const Deck& deck) {
     }
     if (!found.means.empty()) {
         text += mean_lines(found.means) + '\n';
+    }
+    if (found.speed) {
+        text += speed_lines(*found.speed, found.atoms);
     }
     text += list("diagnosis:", found.diagnoses) + list("not judged:", found.not_judged);
     if (found.checks.empty()) {
@@ -88,6 +102,11 @@ std::string judgement_json(const Judgement& found, const Deck& deck, const std::
                     {"passed", found.passed() && !found.own_failure.empty() ? Data() : Data(found.passed())},
                     {"averages", {{"observables", averages}}},
                     {"trajectory", {{"time_step", found.time_step}, {"steps", trajectory}}},
+                    {"speed", found.speed ? Data({{"steps", found.speed->steps},
+                                                  {"ljmd_steps_per_second", found.speed->ours},
+                                                  {"peer_steps_per_second", found.speed->theirs},
+                                                  {"peer_start_up_seconds", found.speed->start_up}})
+                                          : Data()},
                     {"diagnoses", found.diagnoses},
                     {"not_judged", found.not_judged},
                     {"warnings", found.warnings}});

@@ -83,18 +83,65 @@ void follow(const Fluid& fluid, ForceField& force_field, const Execution& execut
     force_field.evaluate(state, Request::forces_and_energy);
     method.prepare(state, force_field);
     Index done = 0;
-    for (JudgedFrame& frame : trajectory.frames) {
-        for (; done < frame.step; ++done) {
+    Motion last;  // at the step `done`, if it was asked for
+    const auto motion_at = [&](Index step) {
+        if (done == step && !last.positions.empty()) {
+            return last;
+        }
+        for (; done < step; ++done) {
             method.step(state, force_field, Request::forces);
         }
         const State& now = state;
-        frame.our_positions = by_id(now, [&](Index i) -> Vec3 { return now.unwrapped(i); });
-        frame.our_velocities = by_id(now, [&](Index i) -> Vec3 { return now.velocities().col(i); });
-        frame.our_forces = forces_of(now);
+        last = {.positions = by_id(now, [&](Index i) -> Vec3 { return now.unwrapped(i); }),
+                .velocities = by_id(now, [&](Index i) -> Vec3 { return now.velocities().col(i); })};
+        return last;
+    };
+    for (std::size_t k = 0; k < trajectory.frames.size(); ++k) {
+        JudgedFrame& frame = trajectory.frames[k];
+        if (frame.step > 0) {
+            // The frame before may have gone beyond it already.
+            frame.before = k > 0 && trajectory.frames[k - 1].step == frame.step - 1
+                               ? Motion{trajectory.frames[k - 1].our_positions, trajectory.frames[k - 1].our_velocities}
+                               : motion_at(frame.step - 1);
+        }
+        Motion now = motion_at(frame.step);
+        frame.our_positions = std::move(now.positions);
+        frame.our_velocities = std::move(now.velocities);
+        frame.our_forces = forces_of(state);
+        frame.after = motion_at(frame.step + 1);
     }
     for (JudgedFrame& frame : trajectory.frames) {
         frame.forces_there = forces_at(fluid, frame.positions, force_field, execution);
     }
+}
+
+std::vector<OwnRow> own_rows(const Fluid& fluid, const TailCorrection& tail, ForceField& force_field,
+                             const Execution& execution, double time_step, Index steps) {
+    State state = state_of(fluid, execution);
+    const Integrator method(find_integrator("velocity-verlet"), time_step);
+    const auto atoms = static_cast<double>(state.count());
+    const double volume = fluid.edges.prod();
+    std::vector<OwnRow> rows;
+    const auto add = [&](const Evaluation& evaluation) {
+        const State& now = state;
+        const double kinetic = kinetic_energy(now);
+        const double power = now.velocities().cwiseProduct(now.forces()).sum();
+        const double squares = now.forces().squaredNorm();
+        // K of v + a t
+        const auto kinetic_at = [&](double t) { return kinetic + t * power + 0.5 * t * t * squares; };
+        rows.push_back(
+            {.potential_energy = evaluation.potential_energy + atoms * tail.energy(atoms / volume),
+             .kinetic_energy = kinetic,
+             .kinetic_energy_before = kinetic_at(-0.5 * time_step),
+             .kinetic_energy_after = kinetic_at(0.5 * time_step),
+             .pressure = (2.0 * kinetic + evaluation.virial.trace()) / (3.0 * volume) + tail.pressure(atoms / volume)});
+    };
+    add(force_field.evaluate(state, Request::forces_and_energy));
+    method.prepare(state, force_field);
+    for (Index step = 0; step < steps; ++step) {
+        add(method.step(state, force_field, Request::forces_and_energy));
+    }
+    return rows;
 }
 
 RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,

@@ -26,6 +26,14 @@ double ExpectedPoint::pressure() const {
     return (2.0 * kinetic_energy + sums.virial) / (3.0 * volume) + tail_pressure;
 }
 
+double ExpectedPoint::squared_frequency() const {
+    double squares = 0.0;
+    for (const Vec3& f : sums.forces) {
+        squares += f.squaredNorm();
+    }
+    return kinetic_energy > 0.0 ? squares / (2.0 * kinetic_energy) : 0.0;
+}
+
 ExpectedPoint expected_point(const Fluid& fluid, const PeerPoint& ours) {
     const auto atoms = static_cast<Index>(fluid.masses.size());
     return {.sums = {ours.totals.potential_energy, ours.totals.virial, ours.forces},

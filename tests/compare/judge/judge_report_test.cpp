@@ -16,7 +16,7 @@ Judgement made_judgement() {
             .steps_before = 20,
             .path = "verlet-list",
             .checks = {{"virial", 1.0, 1e-12}, {"potential energy", 0.0, 1e-12}},
-            .means = {{"temperature", {1.5, 0.1, 50.0, 100, true}, {1.7, 0.0, 50.0, 100, true}}},
+            .means = {{"temperature", {1.5, 0.1, 50.0, 100, true}, {1.7, 0.0, 50.0, 100, true}, 0.1}},
             .diagnoses = {"virial: the sign is wrong"},
             .not_judged = {"trajectory: there are no frames"},
             .warnings = {"a remark"}};

@@ -5,6 +5,7 @@
 #include "compare/judge/small_problem.hpp"
 #include "ljmd/compare/judge/own_run.hpp"
 #include "ljmd/compare/judge/point_judgement.hpp"
+#include "ljmd/potentials/tail_correction.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -40,12 +41,16 @@ Answer right_answer(const Problem& problem) {
         frame.forces = made.our_forces;
         answer.frames.push_back(frame);
     }
-    answer.thermo = ThermoAnswer{.steps = {0, 5, 10},
-                                 .potential_energy = {expected.potential_energy(), -1.0, -1.0},
-                                 .kinetic_energy = {expected.kinetic_energy, 1.0, 1.0},
-                                 .temperature = {},
-                                 .pressure = {expected.pressure(), 0.0, 0.0},
-                                 .volume = {}};
+    const auto rows = own_rows(problem.fluid, TailCorrection(), *MadePeer::force_field_of(problem.fluid), {},
+                               problem.stage.time_step, 10);
+    answer.thermo = ThermoAnswer{};
+    for (const Index step : {0, 5, 10}) {
+        const OwnRow& row = rows[static_cast<std::size_t>(step)];
+        answer.thermo->steps.push_back(step);
+        answer.thermo->potential_energy.push_back(row.potential_energy);
+        answer.thermo->kinetic_energy.push_back(row.kinetic_energy);
+        answer.thermo->pressure.push_back(row.pressure);
+    }
     return answer;
 }
 
@@ -59,7 +64,7 @@ TEST_CASE("an answer is judged in all its parts, and a right one passes") {
     const Problem problem = small_problem();
     const Judgement found = judged(problem, right_answer(problem));
     CHECK(found.passed());
-    CHECK(found.checks.size() == 7 + 9 + 3);
+    CHECK(found.checks.size() == 7 + 3 * 4 + 2 * 3);
     CHECK(found.diagnoses.empty());
     REQUIRE(found.trajectory.size() == 3);
     CHECK(found.time_step == problem.stage.time_step);
@@ -86,7 +91,7 @@ TEST_CASE("only the parts that are asked for are judged, and missing ones are na
     answer.frames.pop_back();
     answer.frames[0].configuration.velocities.clear();
     const Judgement found = judged(problem, answer);
-    CHECK(found.checks.size() == 5);
+    CHECK(found.checks.size() == 6);
     CHECK_THAT(found.not_judged.at(0), StartsWith("trajectory at step 10: no frame"));
     CHECK_THAT(found.not_judged.at(1), StartsWith("kinetic energies of the trajectory"));
 }
@@ -112,6 +117,27 @@ TEST_CASE("mistakes are named wherever they show") {
         CHECK(found.failures() == 1);
         CHECK_THAT(found.diagnoses.at(0), StartsWith("half-step velocities: the kinetic energy of thermo.csv"));
     }
+    SECTION("in its later rows") {
+        Answer answer = right_answer(problem);
+        const auto rows = own_rows(problem.fluid, TailCorrection(), *MadePeer::force_field_of(problem.fluid), {},
+                                   problem.stage.time_step, 10);
+        answer.thermo->potential_energy[1] = rows[4].potential_energy;
+        answer.thermo->potential_energy[2] = rows[9].potential_energy;
+        const Judgement found = judged(problem, answer);
+        CHECK(found.failures() == 1);
+        CHECK_THAT(found.diagnoses.at(0), StartsWith("one step late: the potential energy of thermo.csv"));
+    }
+    SECTION("in velocities") {
+        Answer answer = right_answer(problem);
+        for (Frame& frame : answer.frames) {
+            for (Vec3& v : frame.configuration.velocities) {
+                v = -v;
+            }
+        }
+        const Judgement found = judged(problem, answer);
+        CHECK(found.failures() == 3);
+        CHECK_THAT(found.diagnoses.at(0), StartsWith("velocities: in the frame of step 0 they have the wrong sign"));
+    }
     SECTION("in the temperatures of the table") {
         Answer answer = right_answer(problem);
         for (const double k : answer.thermo->kinetic_energy) {
@@ -127,8 +153,31 @@ TEST_CASE("mistakes are named wherever they show") {
             f[0] += off;
             off = -off;
         }
-        CHECK_THAT(judged(problem, answer).diagnoses.at(0), StartsWith("few digits"));
+        CHECK_THAT(judged(problem, answer).diagnoses.at(0), StartsWith("single precision"));
+        for (Vec3& f : answer.point.forces) {
+            f = f.unaryExpr([](double x) { return std::round(x * 1e6) * 1e-6; });
+        }
+        CHECK_THAT(judged(problem, answer).diagnoses.at(0),
+                   StartsWith("few digits: numbers of point.json have 6 decimals"));
     }
+}
+
+TEST_CASE("rows under a thermostat are not compared one by one, and those beyond the last common step neither") {
+    Problem problem = small_problem();
+    Answer answer = right_answer(problem);
+    answer.thermo->potential_energy.back() += 1.0;
+    CHECK(judged(problem, answer).failures() == 1);
+    problem.stage.thermostat = Choice{"langevin"};
+    problem.stage.temperature = 1.0;
+    CHECK(judged(problem, answer).failures() == 0);
+    problem = small_problem();
+    answer.thermo->steps.back() = 100'000;
+    const Judgement late = judged(problem, answer);
+    CHECK(late.failures() == 0);
+    answer.thermo = ThermoAnswer{};
+    answer.thermo->steps = {100'000};
+    answer.thermo->potential_energy = {1.0};
+    CHECK_THAT(judged(problem, answer).not_judged.at(0), Contains("rows of thermo.csv: there is none from step 1 to"));
 }
 
 TEST_CASE("the problem of a deck is its first sampled stage, forward and at its own energy") {

@@ -92,3 +92,20 @@ TEST_CASE("a potential that should be shifted and is not is named") {
         *answer.potential_energy + static_cast<double>(pairs.pairs().size()) * fluid.potential.untruncated(2.2).u;
     CHECK_THAT(first_diagnosis(fluid, answer), StartsWith("shifted energy: the potential is not shifted"));
 }
+
+TEST_CASE("of mistakes with nearly the same energy the one that explains most is named") {
+    // A shift of all pairs within the cutoff has nearly the energy of the tail.
+    const Fluid fluid = shaken_liquid();
+    const ExpectedPoint expected = expected_point_of(fluid);
+    const double tail = expected.tail_energy;
+    const double others = 107.0 / 108.0;
+    for (const auto& [factor, words] :
+         {std::pair(0.0, "missing tail: the tail correction is left out"), std::pair(2.0, "tail twice"),
+          std::pair(others, "tail of N - 1: the tail correction is that of N - 1 atoms, or"),
+          std::pair(others * others, "tail of N - 1: the tail correction is that of N - 1 atoms at"),
+          std::pair(1.0 / 108.0, "tail of one atom")}) {
+        PointAnswer answer = right_point(expected);
+        answer.potential_energy = expected.sums.potential_energy + factor * tail;
+        CHECK_THAT(first_diagnosis(fluid, answer), Catch::Matchers::StartsWith(words));
+    }
+}

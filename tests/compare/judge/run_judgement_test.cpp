@@ -1,5 +1,6 @@
 #include "ljmd/compare/judge/run_judgement.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -65,7 +66,7 @@ TEST_CASE("another mean of any quantity fails") {
     for (auto member : {&RunSamples::potential_energy, &RunSamples::pressure}) {
         RunSamples theirs = samples(100);
         for (double& x : theirs.*member) {
-            x *= 1.03;
+            x *= 1.06;
         }
         CHECK(failed(judge_run(canonical(), samples(1), theirs)).size() == 1);
     }
@@ -115,6 +116,82 @@ TEST_CASE("a short run is not judged, and said to be short") {
         judge_run({.atoms = 1000, .time_step = 0.004, .freedom = 2997, .our_freedom = 2997}, samples(1), theirs);
     CHECK(judged.checks.empty());
     CHECK_THAT(judged.not_judged.at(1), StartsWith("mean potential_energy: the run of the engine is too short"));
+}
+
+TEST_CASE("limits are exceeded once in ten thousand times, and are wider where errors are estimates") {
+    CHECK(limit_of_errors({{1.0, 1e9}}) == Approx(3.8906).epsilon(1e-4));
+    CHECK(limit_of_errors({{1.0, 12.0}}) == Approx(5.6945).epsilon(1e-4));
+    CHECK(limit_of_errors({{1.0, 15.0}, {1.0, 15.0}}) == Approx(4.4824).epsilon(1e-4));
+    CHECK(limit_of_errors({{1.0, 15.0}, {0.0, 1.0}}) == Approx(5.2391).epsilon(1e-4));
+}
+
+namespace {
+
+constexpr Index atoms_of_walk = 100;
+
+/// A run at constant energy whose total energy walks by steps of this deviation, or drifts.
+RunSamples conserved(unsigned seed, double walk, double drift = 0.0, double noise = 0.01) {
+    const int count = 4096;
+    const std::vector<double> kinetic = series(150.0, 8.0, seed, count, 0.9);
+    const std::vector<double> steps = series(0.0, walk, seed + 1, count, 0.0);
+    const std::vector<double> noises = series(0.0, noise, seed + 2, count, 0.5);
+    RunSamples made;
+    double walked = 0.0;
+    for (std::size_t k = 0; k < kinetic.size(); ++k) {
+        walked += steps[k] + drift / count;
+        const double part = 0.57 * walked;  // of the energy that is kinetic
+        made.kinetic_energy.push_back(kinetic[k] + part);
+        made.potential_energy.push_back(-450.0 - (kinetic[k] - 150.0) + walked - part + noises[k]);
+        made.pressure.push_back(0.5 + 0.01 * (kinetic[k] - 150.0));
+        made.volume.push_back(120.0);
+    }
+    return made;
+}
+
+RunConditions constant_energy() {
+    return {.atoms = atoms_of_walk, .time_step = 0.004, .freedom = 297, .our_freedom = 297, .same_motion = true};
+}
+
+}  // namespace
+
+TEST_CASE("rows of the same steps are compared") {
+    RunSamples ours{
+        .potential_energy = {5, 10, 15, 20}, .kinetic_energy = {5, 10, 15, 20}, .pressure = {}, .volume = {}};
+    RunSamples theirs{.potential_energy = {}, .kinetic_energy = {3, 10, 20, 30}, .pressure = {}, .volume = {}};
+    keep_common_rows(ours, 5, theirs, {0, 3, 10, 20, 30});
+    CHECK(ours.potential_energy == std::vector<double>{10, 20});
+    CHECK(ours.kinetic_energy == std::vector<double>{10, 20});
+    CHECK(theirs.kinetic_energy == std::vector<double>{10, 20});
+    CHECK(theirs.potential_energy.empty());
+}
+
+TEST_CASE("the walk of our own energy is in the errors of means, and never that of the engine") {
+    const RunSamples steady = conserved(1, 0.0);
+    const RunSamples walking = conserved(10, 0.5);
+    CHECK(failed(judge_run(constant_energy(), steady, conserved(20, 0.0))).empty());
+    CHECK(failed(judge_run(constant_energy(), walking, conserved(30, 0.5))).empty());
+    const auto failures = failed(judge_run(constant_energy(), steady, conserved(30, 0.5)));
+    CHECK(std::ranges::find(failures, "mean of the total energy, standard errors apart") != failures.end());
+    CHECK(std::ranges::find(failures, "drift of the total energy, standard errors apart") != failures.end());
+}
+
+TEST_CASE("an engine whose energy drifts, or is not of one time, fails") {
+    const RunSamples ours = conserved(10, 0.02);
+    const auto drifting = failed(judge_run(constant_energy(), ours, conserved(20, 0.02, 60.0)));
+    CHECK(std::ranges::find(drifting, "drift of the total energy, standard errors apart") != drifting.end());
+    CHECK(std::ranges::find(drifting, "mean temperature, standard errors apart") != drifting.end());
+    RunSamples late = conserved(20, 0.02);
+    for (std::size_t k = late.potential_energy.size() - 1; k > 0; --k) {
+        late.potential_energy[k] = late.potential_energy[k - 1];
+    }
+    CHECK(failed(judge_run(constant_energy(), ours, late)) ==
+          std::vector<std::string>{"spread of the total energy from row to row, over that of ljmd"});
+    RunSamples shifted = conserved(20, 0.02);
+    for (double& u : shifted.potential_energy) {
+        u += 10.0;
+    }
+    const auto off = failed(judge_run(constant_energy(), ours, shifted));
+    CHECK(std::ranges::find(off, "mean of the total energy, standard errors apart") != off.end());
 }
 
 TEST_CASE("distances of a gamma distribution see its shape") {

@@ -10,6 +10,12 @@
 
 namespace ljmd {
 
+/// Where atoms are, and how fast; empty vectors are missing.
+struct Motion {
+    std::vector<Vec3> positions{};   ///< unwrapped [sigma]
+    std::vector<Vec3> velocities{};  ///< [sigma/tau]
+};
+
 /// A frame of an engine's trajectory beside what ljmd says about that step. Empty vectors are missing.
 struct JudgedFrame {
     Index step = 0;
@@ -21,6 +27,8 @@ struct JudgedFrame {
     std::vector<Vec3> our_positions{};   ///< at this step of ljmd's trajectory, unwrapped
     std::vector<Vec3> our_velocities{};  ///< at the same step
     std::vector<Vec3> our_forces{};      ///< at the same step
+    Motion before{};                     ///< ours one step earlier; empty at step 0
+    Motion after{};                      ///< ours one step later
 };
 
 /// The trajectory of an engine at constant energy; atoms have the mass 1.
@@ -34,21 +42,34 @@ struct JudgedTrajectory {
 /// number.
 [[nodiscard]] double largest_distance(const JudgedFrame& frame, const Vec3& edges);
 
+/// The largest difference of an atom's two velocities that goes with the limit of distances [sigma/tau]: a distance d
+/// that two trajectories are apart comes with velocities that differ by up to 40 d/tau, the fastest that neighbours
+/// swing in a dense fluid; and velocities that are made of positions, as (r' - r)/dt, have the rounding of two of them.
+///
+///     max(40/tau d(step), 2 d(1)/dt)
+///
+/// Nothing beyond the last limit of distances.
+[[nodiscard]] std::optional<double> velocity_limit(const Agreement& agreement, Index step, double time_step);
+
+/// The largest difference between an engine's velocity of an atom and ours [sigma/tau]; NaN if one is not a number.
+/// @pre the frame has velocities of both
+[[nodiscard]] double largest_velocity_difference(const JudgedFrame& frame);
+
 /// The largest difference between an engine's forces and those at its positions, over the root mean square of the
 /// latter.
 /// @pre the frame has forces
 [[nodiscard]] double largest_force_difference(const JudgedFrame& frame);
 
-/// Checks of the frames at the judged steps: distances of positions up to the step where the limits end; kinetic
-/// energies up to step 100; forces at the engine's own positions, which tell a wrong formula or list from another
-/// trajectory.
+/// Checks of the frames at the judged steps: distances of positions, and velocities over their root mean square, up to
+/// the step where the limits end; kinetic energies up to step 100; forces at the engine's own positions, which tell a
+/// wrong formula or list from another trajectory.
 /// @param judged  steps to check; frames at other steps are not
 [[nodiscard]] std::vector<Check> check_trajectory(const JudgedTrajectory& trajectory, const std::vector<Index>& judged,
                                                   const Agreement& agreement);
 
 /// By which known mistakes the trajectory differs from ours, a sentence each:
 ///
-///     half-step velocities   v' = v -+ a dt/2 in a frame
+///     velocities             see diagnose_velocities()
 ///     half-step start        r'(1) = r(1) +- a(0) dt^2/2: the start's velocities were taken for velocities at -+dt/2
 ///     another time step      r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2
 ///     a stale list           forces of the first frame are right, and in a later one some pairs' within the cutoff are

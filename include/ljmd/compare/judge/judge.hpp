@@ -8,6 +8,7 @@
 
 #include "ljmd/compare/crosscheck.hpp"
 #include "ljmd/compare/judge/answer.hpp"
+#include "ljmd/compare/judge/engine_speed.hpp"
 #include "ljmd/compare/judge/exchange.hpp"
 #include "ljmd/compare/judge/run_judgement.hpp"
 #include "ljmd/run/interruption.hpp"
@@ -35,6 +36,7 @@ struct Judgement {
     std::vector<std::string> diagnoses;   ///< known mistakes that explain what disagrees
     std::vector<std::string> not_judged;  ///< parts that the answer lacks, or is too short for
     std::vector<std::string> warnings;    ///< remarks on the files
+    std::optional<EngineSpeed> speed{};   ///< if it was asked for, and could be told
     std::string own_failure{};  ///< why ljmd's own run of the deck failed; without it there is no verdict on averages
 
     [[nodiscard]] bool passed() const { return failures() == 0; }

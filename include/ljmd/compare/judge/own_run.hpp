@@ -2,6 +2,7 @@
 
 #include "ljmd/compare/judge/exchange.hpp"
 #include "ljmd/compare/judge/frame_judgement.hpp"
+#include "ljmd/compare/judge/row_judgement.hpp"
 #include "ljmd/compare/judge/run_judgement.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/run/interruption.hpp"
@@ -12,6 +13,11 @@ namespace ljmd {
 /// and forces of velocity Verlet from the start, at the steps of the frames.
 /// @pre steps ascend  @param execution  for the states
 void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory);
+
+/// Energies and pressures of velocity Verlet from the start, at each step from 0 to `steps`.
+/// @param tail  its corrections are in them  @param execution  for the state
+[[nodiscard]] std::vector<OwnRow> own_rows(const Fluid& fluid, const TailCorrection& tail, ForceField& force_field,
+                                           const Execution& execution, double time_step, Index steps);
 
 /// The run of a problem's stage in ljmd, with its thermostat and barostat, sampled every thermo_every steps without the
 /// start.

@@ -22,6 +22,10 @@ struct ExpectedPoint {
     [[nodiscard]] double potential_energy() const { return sums.potential_energy + tail_energy; }
     [[nodiscard]] double temperature() const;  ///< 2 K/(3 N - 3); 0 of a single atom
     [[nodiscard]] double pressure() const;     ///< (2 K + W)/(3 V) + p_tail
+
+    /// Sum of F^2/(2 K): in equilibrium the mean square of the frequencies of the atoms, because <F^2> = T <u''>
+    /// [1/tau^2]. 0 at rest.
+    [[nodiscard]] double squared_frequency() const;
 };
 
 /// @param ours  of the fluid, by point_of()
