@@ -1,5 +1,6 @@
 #include "ljmd/observables/dynamics/scattering.hpp"
 
+#include <Eigen/Cholesky>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -226,9 +227,10 @@ Eigen::Matrix3Xd lattice(Index atoms_an_edge) {
     Eigen::Matrix3Xd positions(3, atoms_an_edge * atoms_an_edge * atoms_an_edge);
     for (Index i = 0; i < positions.cols(); ++i) {
         const Index n = atoms_an_edge;
-        positions.col(i) =
-            edge / static_cast<double>(n) *
-            Vec3(static_cast<double>(i % n), static_cast<double>(i / n % n), static_cast<double>(i / n / n));
+        const Index row = i / n;
+        const Index layer = row / n;
+        positions.col(i) = edge / static_cast<double>(n) *
+                           Vec3(static_cast<double>(i % n), static_cast<double>(row % n), static_cast<double>(layer));
     }
     return positions;
 }
@@ -340,7 +342,7 @@ TEST_CASE("random walks have their coefficient of diffusion at every wave number
     std::mt19937_64 generator(7);
     std::normal_distribution<double> normal(0.0, std::sqrt(2.0 * diffusion * spacing));
     Eigen::Matrix3Xd r = lattice(4);
-    for (Index frame = 0; frame < 40 * 200; ++frame) {
+    for (Index frame = 0; frame < Index{40} * 200; ++frame) {
         State state(atoms, cube);
         state.write_positions() = r;
         scattering.sample(state, Evaluation{});

@@ -112,7 +112,7 @@ TEST_CASE("long times go on where the first level ends, with every second, fourt
         for (int level = 1; level < 4; ++level) {
             const int m = 1 << level;
             // The same numbers as of a run whose trajectory has every m-th configuration alone.
-            const auto thinned = made(name, settings(0.2 * m, 5 * m));
+            const auto thinned = made(name, settings(0.2 * m, std::int64_t{5} * m));
             const auto wanted = sampled(*thinned, 700, m).at(k);
             for (std::size_t group = 0; group < groups; ++group) {
                 for (std::size_t lag = 6; lag <= 10; ++lag) {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 #include <random>
-#include <ranges>
 
 #include "core/through_archive.hpp"
 #include "neighbors/sample_states.hpp"
@@ -214,8 +213,8 @@ TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and d
         }
         CHECK(vacf->samples() == 70);
         std::vector<std::vector<double>> rows = vacf->tables().at(0).rows;
-        for (auto& row : rows | std::views::drop(11)) {
-            row.resize(error_column);  // beyond, there are three windows, too few for an error, and no D
+        for (std::size_t row = 11; row < rows.size(); ++row) {
+            rows[row].resize(error_column);  // beyond, there are three windows, too few for an error, and no D
         }
         return rows;
     };
