@@ -1,7 +1,6 @@
 #include "ljmd/report/run_facts.hpp"
 
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
 
 #include <cmath>
