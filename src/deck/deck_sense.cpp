@@ -154,8 +154,9 @@ void check_potential(const Placed<FluidTables>& tables, bool force, Diagnostics&
     report(potential_mistakes(potential.truncation, potential, tail), tables, diagnostics);
 }
 
-/// A list that is kept for a fixed number of steps must not become old: how far atoms fly meanwhile, were they free.
-void check_age_of_list(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
+/// A list that is kept for a fixed number of steps becomes old, which some want to see: how far atoms fly meanwhile,
+/// were they free.
+void check_age_of_list(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
     const Placed<NeighborSpec>& neighbors = tables.neighbors;
     if (!neighbors.given(&NeighborSpec::every) || !(neighbors.skin > 0.0)) {
         return;
@@ -167,17 +168,19 @@ void check_age_of_list(const Placed<FluidTables>& tables, bool force, Diagnostic
     }
     const double flight = farthest * static_cast<double>(*neighbors.every);
     if (flight > unlikely_flight * neighbors.skin) {
-        unlikely(force, neighbors.location(&NeighborSpec::every),
-                 fmt::format("'every' in [neighbors] is {}: atoms fly {:.2g} sigma in so many steps, and the skin is "
-                             "{:.6g}, so that atoms would meet unseen",
-                             *neighbors.every, flight, neighbors.skin),
-                 "leave it out: lists are rebuilt when they have to be", diagnostics);
+        diagnostics.warning(
+            neighbors.location(&NeighborSpec::every),
+            fmt::format(
+                "'every' in [neighbors] is {}: atoms fly {:.2g} sigma in so many steps, and the skin is {:.6g}, so "
+                "that atoms meet unseen, and the run may blow up",
+                *neighbors.every, flight, neighbors.skin),
+            "leave it out: lists are rebuilt when they have to be");
     }
 }
 
 /// Refuse settings that only a Verlet list supports.
-void check_search(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
-    check_age_of_list(tables, force, diagnostics);
+void check_search(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    check_age_of_list(tables, diagnostics);
     const Placed<PerformanceTable>& performance = tables.performance;
     const Precision precision = performance.sound(&PerformanceTable::precision) ? precision_of(performance.precision)
                                                                                 : Precision::double_precision;
@@ -254,7 +257,7 @@ void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, 
         check_potential(tables, force, diagnostics);
     }
     if (tables.sound(&FluidTables::neighbors) && tables.sound(&FluidTables::performance)) {
-        check_search(tables, force, diagnostics);
+        check_search(tables, diagnostics);
     }
     check_stages(tables, force, diagnostics);
     check_output(tables.output, has_units, diagnostics);

@@ -38,7 +38,7 @@ constexpr std::array meanings{
     Meaning{" baoab brownian ", "'langevin' is BAOAB"},
     Meaning{" velocityrescale velocityrescaling temprescale ", "it is called 'rescale' here"},
     // Potentials
-    Meaning{" mie lj96 lj12 buckingham yukawa coulomb ",
+    Meaning{" mie lj96 buckingham yukawa ",
             "not in ljmd; a pair potential of one's own is a function, see docs/own-parts.md"},
     Meaning{" wca weekschandlerandersen ",
             "it is type = \"lennard-jones\", truncation = \"shifted\", cutoff = 1.122462048309373 (ljmd init wca)"},

@@ -120,7 +120,6 @@ class ReportCommand : public Command {
                              "write the page of a run anew while it goes on; an open page reads itself anew");
         command.add_option("--every", options_.every, "seconds from one page to the next, 5 by default")
             ->needs(followed)
-            ->check(CLI::Range(0.01, 3600.0))
             ->type_name("S");
         command.add_flag("--json", options_.json, "print the data of the page as JSON, and write no page")
             ->excludes(opened)
@@ -141,6 +140,9 @@ class ReportCommand : public Command {
         if (options_.follow) {
             if (directories.size() > 1) {
                 throw InputError("--follow is for one run");
+            }
+            if (!(options_.every >= 0.01 && options_.every <= 3600.0)) {
+                throw InputError(fmt::format("--every is {}, allowed: 0.01 to 3600 seconds", options_.every));
             }
             install_stop_handlers();
             follow(directories.front(), page, options_);

@@ -90,8 +90,7 @@ fs::path directory_of(const SweepOptions& options) {
                                : fs::path(options.out);
 }
 
-constexpr const char* shared_seed =
-    "All points have one seed: their statistical deviations are alike. --seeds gives each its own.\n";
+constexpr const char* shared_seed = "All points have one seed, and deviate alike; --seeds gives each its own.\n";
 
 void tell_point(const RunLine& line, std::size_t done, std::size_t all) {
     const SweptPoint& point = dynamic_cast<const PointRun&>(line).point();
