@@ -127,7 +127,7 @@ KINDS = {
     "short, constant pressure": (False, lambda seed: liquid(seed, "steps = 40000", barostat=BAROSTAT), []),
     "short film": (False, lambda seed: FILM.format(seed=seed, length="steps = 20000"), []),
     "four replicas": (False, lambda seed: liquid(100 * seed, "steps = 24000"), ["--replicas", "4", "--jobs", "1"]),
-    "time correlations": (True, lambda seed: liquid(seed, "steps = 100000", analyses=CORRELATIONS), []),
+    "time correlations": (True, lambda seed: liquid(seed, "steps = 300000", analyses=CORRELATIONS), []),
     "until the pressure": (False, lambda seed: liquid(seed, "until = { pressure = 0.03, max_steps = 200000 }"), []),
     "until the heat capacity": (False, lambda seed: liquid(seed, "until = { heat_capacity_cv = 0.1, max_steps = 200000 }"), []),
 }
