@@ -61,22 +61,16 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     if (drawn.level) {
         chart.marks.push_back({.type = "rule-y", .label = drawn.level_label, .value = drawn.level, .colour = 7});
     }
-    if (const std::string expected = drawn.expected; !expected.empty()) {
+    const std::string expected = drawn.expected;
+    if (!expected.empty()) {
         chart.marks.push_back({.type = "line",
                                .label = drawn.expected_label,
                                .table = table.name,
                                .x = drawn.x,
                                .y = expected,
                                .colour = 1});
-        chart.marks.push_back({.type = "dots",
-                               .label = "measured",
-                               .table = table.name,
-                               .x = drawn.x,
-                               .y = drawn.y,
-                               .error = has_error ? error : ""});
-        return chart;
     }
-    if (drawn.as_dots) {
+    if (!expected.empty() || drawn.as_dots) {
         chart.marks.push_back({.type = "dots",
                                .label = "measured",
                                .table = table.name,

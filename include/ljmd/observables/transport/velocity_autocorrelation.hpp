@@ -27,9 +27,9 @@ namespace ljmd {
 ///     C_n(t) = sum_{|j| < m} (m - |j|)/m^2 C(t + j h) = C(t) + (m^2 - 1) h^2/12 C''(t) + ...
 ///
 /// It is given at times of more than half of the lags, t > m h lags/2, where C'' is small: for C ~ t^(-3/2) the bias is
-/// below 1.25/lags^2 of C. The table `vacf` goes on with these times, without D(t), which is by the first level alone.
-/// Sources: Rahman (1964), doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306; Ramirez et al.
-/// (2010), doi:10.1063/1.3491098
+/// below 1.25/lags^2 of C. The table `vacf` continues with these times, without D(t), which is by the first level
+/// alone. Sources: Rahman (1964), doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306; Ramirez et
+/// al. (2010), doi:10.1063/1.3491098
 class VelocityAutocorrelation : public Analysis {
   public:
     /// Times and, of each, configurations in a window, greater than lags.count.
