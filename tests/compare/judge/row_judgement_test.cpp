@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "compare/judge/failed_checks.hpp"
 #include "compare/judge/small_problem.hpp"
 #include "ljmd/compare/judge/own_run.hpp"
 #include "ljmd/compare/judge/point_judgement.hpp"
@@ -53,22 +54,12 @@ class Rows {
     std::vector<OwnRow> ours_;
 };
 
-std::vector<std::string> failed_of(const RowJudgement& judged) {
-    std::vector<std::string> names;
-    for (const Check& check : judged.checks) {
-        if (!check.passed()) {
-            names.push_back(check.name);
-        }
-    }
-    return names;
-}
-
 }  // namespace
 
 TEST_CASE("rows of the same trajectory pass, and need not be all there") {
     const Rows rows;
     const RowJudgement all = rows.judged(rows.table());
-    CHECK(failed_of(all).empty());
+    CHECK(test::failed_checks(all).empty());
     CHECK(all.checks.size() == 4);
     CHECK(all.mistakes.empty());
     ThermoAnswer few = rows.table();
@@ -82,7 +73,7 @@ TEST_CASE("an energy that is written one step late fails, and is named") {
     ThermoAnswer table = rows.table();
     table.potential_energy = rows.table(-1).potential_energy;
     const RowJudgement judged = rows.judged(table);
-    CHECK(failed_of(judged) == std::vector<std::string>{"thermo.csv, steps 5 to 40: potential energy"});
+    CHECK(test::failed_checks(judged) == std::vector<std::string>{"thermo.csv, steps 5 to 40: potential energy"});
     CHECK(judged.mistakes ==
           std::vector<std::string>{"one step late: the potential energy of thermo.csv is that of 1 step "
                                    "earlier than the row says"});
@@ -144,7 +135,7 @@ TEST_CASE("a constant or a factor of all rows is no mistake of rows, and is told
     for (double& u : table.potential_energy) {
         u = 2.0 * u + 50.0;
     }
-    CHECK_FALSE(failed_of(rows.judged(table)).empty());
+    CHECK_FALSE(test::failed_checks(rows.judged(table)).empty());
     CHECK(rows.judged(table).others.empty());
 }
 

@@ -1,4 +1,5 @@
 #include "ljmd/compare/judge/run_judgement.hpp"
+#include "compare/judge/failed_checks.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -39,23 +40,13 @@ RunSamples samples(unsigned seed, double temperature = 1.5, double spread = 1.0)
             .volume = series(1200.0, 20.0, seed + 3)};
 }
 
-std::vector<std::string> failed(const RunJudgement& judged) {
-    std::vector<std::string> names;
-    for (const Check& check : judged.checks) {
-        if (!check.passed()) {
-            names.push_back(check.name);
-        }
-    }
-    return names;
-}
-
 }  // namespace
 
 TEST_CASE("a run of the same distribution passes, correlations counted") {
     RunConditions conditions = canonical();
     conditions.pressure = 0.7;
     const RunJudgement judged = judge_run(conditions, samples(1), samples(100));
-    CHECK(failed(judged).empty());
+    CHECK(test::failed_checks(judged).empty());
     CHECK(judged.checks.size() == 10);
     CHECK(judged.means.size() == 5);
     CHECK(judged.diagnoses.empty());
@@ -68,7 +59,7 @@ TEST_CASE("another mean of any quantity fails") {
         for (double& x : theirs.*member) {
             x *= 1.06;
         }
-        CHECK(failed(judge_run(canonical(), samples(1), theirs)).size() == 1);
+        CHECK(test::failed_checks(judge_run(canonical(), samples(1), theirs)).size() == 1);
     }
 }
 
@@ -80,7 +71,7 @@ TEST_CASE("a thermostat is judged by the distribution of the kinetic energy") {
     CHECK_THAT(hot.diagnoses.at(0), StartsWith("other temperature") && Contains("T = 1.53"));
     const auto quiet = judged(samples(100, 1.5, 0.7));
     CHECK_THAT(quiet.diagnoses.at(0), StartsWith("too little fluctuation: the variance of the kinetic energy is 0.4"));
-    CHECK(failed(quiet).size() == 2);  // variance, and the whole distribution
+    CHECK(test::failed_checks(quiet).size() == 2);  // variance, and the whole distribution
     CHECK(judged({}).not_judged.size() == 4);
 }
 
@@ -105,7 +96,7 @@ TEST_CASE("a barostat is judged by the fluctuation of the volume") {
     const RunJudgement judged = judge_run(conditions, samples(1), theirs);
     CHECK_THAT(judged.diagnoses.at(0), StartsWith("too little fluctuation: the variance of the volume is 0.2"));
     theirs.volume = series(1200.0, 40.0, 103);
-    CHECK(failed(judge_run(conditions, samples(1), theirs)) ==
+    CHECK(test::failed_checks(judge_run(conditions, samples(1), theirs)) ==
           std::vector<std::string>{"variance of volume, standard errors apart"});
 }
 
@@ -168,29 +159,29 @@ TEST_CASE("rows of the same steps are compared") {
 TEST_CASE("the walk of our own energy is in the errors of means, and never that of the engine") {
     const RunSamples steady = conserved(1, 0.0);
     const RunSamples walking = conserved(10, 0.5);
-    CHECK(failed(judge_run(constant_energy(), steady, conserved(20, 0.0))).empty());
-    CHECK(failed(judge_run(constant_energy(), walking, conserved(30, 0.5))).empty());
-    const auto failures = failed(judge_run(constant_energy(), steady, conserved(30, 0.5)));
+    CHECK(test::failed_checks(judge_run(constant_energy(), steady, conserved(20, 0.0))).empty());
+    CHECK(test::failed_checks(judge_run(constant_energy(), walking, conserved(30, 0.5))).empty());
+    const auto failures = test::failed_checks(judge_run(constant_energy(), steady, conserved(30, 0.5)));
     CHECK(std::ranges::find(failures, "mean of the total energy, standard errors apart") != failures.end());
     CHECK(std::ranges::find(failures, "drift of the total energy, standard errors apart") != failures.end());
 }
 
 TEST_CASE("an engine whose energy drifts, or is not of one time, fails") {
     const RunSamples ours = conserved(10, 0.02);
-    const auto drifting = failed(judge_run(constant_energy(), ours, conserved(20, 0.02, 60.0)));
+    const auto drifting = test::failed_checks(judge_run(constant_energy(), ours, conserved(20, 0.02, 60.0)));
     CHECK(std::ranges::find(drifting, "drift of the total energy, standard errors apart") != drifting.end());
     CHECK(std::ranges::find(drifting, "mean temperature, standard errors apart") != drifting.end());
     RunSamples late = conserved(20, 0.02);
     for (std::size_t k = late.potential_energy.size() - 1; k > 0; --k) {
         late.potential_energy[k] = late.potential_energy[k - 1];
     }
-    CHECK(failed(judge_run(constant_energy(), ours, late)) ==
+    CHECK(test::failed_checks(judge_run(constant_energy(), ours, late)) ==
           std::vector<std::string>{"spread of the total energy from row to row, over that of ljmd"});
     RunSamples shifted = conserved(20, 0.02);
     for (double& u : shifted.potential_energy) {
         u += 10.0;
     }
-    const auto off = failed(judge_run(constant_energy(), ours, shifted));
+    const auto off = test::failed_checks(judge_run(constant_energy(), ours, shifted));
     CHECK(std::ranges::find(off, "mean of the total energy, standard errors apart") != off.end());
 }
 
