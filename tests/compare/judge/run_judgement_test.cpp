@@ -190,6 +190,7 @@ TEST_CASE("distances of a gamma distribution see its shape") {
     std::mt19937_64 source(5);
     const auto uniform = [&] { return static_cast<double>((source() >> 11U) + 1) * 0x1p-53; };
     std::vector<double> x;
+    x.reserve(4000);
     for (int k = 0; k < 4000; ++k) {
         x.push_back(-std::log(uniform()) - std::log(uniform()));
     }
