@@ -65,7 +65,8 @@ def recognize(path: Path, choice: Choice) -> Source:
 def of_directory(path: Path, choice: Choice) -> Source:
     if is_there(path / "sweep.json"):
         pictures = sweep_pictures.pictures(path, choice.against)
-        return Source("sweep", pictures, sweep_pictures.usual(list(pictures)), path)
+        tables = fluid_pictures.pictures_of_tables(fluids.tables_of_analysis(path))  # of replicas, merged
+        return Source("sweep", pictures | tables, [*sweep_pictures.usual(list(pictures)), *tables], path)
     if is_there(path / "run.json"):
         kind = records.read(path).kind
         pictures = (fluid_pictures.pictures(path) if kind == "fluid" else

@@ -1,4 +1,4 @@
-"""The pictures of a sweep: an observable with error bars against one of the varied keys, one picture for each column.
+"""The pictures of a sweep: an observable with error bars against one of the varied keys, one picture for each column. Of replicas each one, beside what all of them say together.
 
 One line for each value, or set of values, of the other keys. Points that have failed are left out. Beside pressures,
 energies and compressibility factors stands the equation of state of the fluid, where it has one (`ljmd eos`).
@@ -104,7 +104,7 @@ def axis_of(sweep: SweepTable, observable: str, against: str) -> Axis:
     texts = sweep.keys[against]
     values, units = zip(*map(split_unit, texts))
     name = against.rpartition(".")[2]
-    numeric = len(set(units)) == 1 and not math.isnan(values[0])
+    numeric = sweep.merged is None and len(set(units)) == 1 and not math.isnan(values[0])
     if is_temperature(against) and observable != "temperature" and "temperature" in sweep.observables:
         found = sweep.observables["temperature"]
         error = np.nan_to_num(sweep.observables.get("temperature" + ERROR, np.zeros(len(found))))
@@ -179,6 +179,12 @@ def plot(sweep: SweepTable, observable: str, against: str) -> plt.Figure:
             axes.hlines(y[rows], axis.asked[rows], x, colors=[colour], linewidth=0.6, alpha=0.5, zorder=1)
             axes.plot(axis.asked[rows], y[rows], "o", markersize=5.0, markerfacecolor="white", markeredgewidth=1.0,
                       color=colour, zorder=2)
+    merged = (sweep.merged or {}).get(observable)
+    if merged is not None and math.isfinite(merged.mean):
+        axes.axhline(merged.mean, color=style.colour(1), linewidth=1.2, zorder=1, label="all replicas")
+        if math.isfinite(merged.error):
+            axes.axhspan(merged.mean - merged.error, merged.mean + merged.error, color=style.colour(1), alpha=0.15, linewidth=0, zorder=0)
+        axes.legend()
     if axis.categories:
         axes.set_xticks(range(len(axis.categories)), [style.plain(text) for text in axis.categories])
         axes.set_xlim(-0.5, len(axis.categories) - 0.5)
@@ -186,7 +192,7 @@ def plot(sweep: SweepTable, observable: str, against: str) -> plt.Figure:
     axes.set_xlabel(axis.label)
     axes.set_ylabel(style.LABELS.get(observable, style.plain(observable.replace("_", " "))))
     draw_legend(axes, sweep, axis, bool(others), curves, beside)
-    alike = len(y) > 1 and SEED not in sweep.keys and "temperature" in sweep.observables
+    alike = sweep.merged is None and len(y) > 1 and SEED not in sweep.keys and "temperature" in sweep.observables
     style.head(figure, sweep.title, "; ".join(filter(None, (sweep.status, "all points have one seed: they deviate alike" if alike else ""))))
     return figure
 

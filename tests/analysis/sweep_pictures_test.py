@@ -170,6 +170,22 @@ def test_the_equation_of_state_stands_beside_the_points(tmp: Path) -> None:
         assert axes.get_legend() is None and len(axes.get_lines()[0].get_xdata()) == 3
 
 
+def test_replicas_stand_beside_what_all_of_them_say(tmp: Path) -> None:
+    directory = write_points(tmp / "replicas")
+    request = json.loads((directory / "sweep.json").read_text()) | {"keys": ["system.seed"], "replicas": 3}
+    (directory / "sweep.json").write_text(json.dumps(request))
+    (directory / "results.json").write_text(json.dumps({"observables": {"pressure": {"mean": 0.41, "standard_error": 0.03}}}))
+    (directory / "rdf.csv").write_text("r,g,g_standard_error\n0.5,0,0\n1.5,1.2,0.01\n2.5,1,0.01\n")
+    figure = sweep_pictures.plot(sweeps.load(directory), "pressure", "replica")
+    axes = figure.axes[0]
+    assert [text.get_text() for text in axes.get_xticklabels()] == ["1", "2", "3"]
+    assert [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() == "all replicas"] == [0.41]
+    assert not any("one seed" in text.get_text() for text in [*figure.texts, axes.title]), "each has its own"
+    assert plot(directory).stdout.splitlines() == [str(directory / "pressure.png"), str(directory / "rdf.png")]
+    alike = sweep_pictures.plot(sweeps.load(write_points(tmp / "points")), "pressure", "system.density")
+    assert any("one seed" in text.get_text() for text in [*alike.texts, alike.axes[0].title])
+
+
 def test_many_lines(tmp: Path) -> None:
     rows = [f"{t},{x},{t + x}" for t in range(30) for x in range(2)]
     sweep_pictures.plot(sweeps.load(write_sweep(tmp, "a.t,a.x,pressure", rows)), "pressure", "a.x").savefig(tmp / "x.png")

@@ -54,6 +54,7 @@ class SweepTable:
     status: str = ""  # how far a sweep has come that has not ended
     equations: list[Optional[str]] = member(default_factory=list)  # of the fluid of each point; None: there is none
     densities: np.ndarray = member(default_factory=lambda: np.empty(0))  # of each point
+    merged: Optional[dict[str, Observable]] = None  # of replicas: what all of them say; None of a sweep
 
 
 def read_request(directory: Path) -> Request:
@@ -101,13 +102,17 @@ def load(directory: Path) -> SweepTable:
         status = "" if done == len(points) else f"the sweep has not come to its end: {done} of {len(points)} points"
         if done == 0:
             raise damaged(directory, "no point has come to its end yet")
-    if request.replicas:  # their seeds are no axis
-        columns = {"replica": request.names}
+    merged: Optional[dict[str, Observable]] = None
+    if request.replicas:
+        columns = {"replica": [str(number + 1) for number in range(len(points))]}  # their seeds are no axis
+        together = directory / "results.json"
+        merged = all_of(together, read_json(together)) if is_there(together) else {}
     fitting = len(points) == len(next(iter(columns.values()), []))  # else the table is of another sweep
     return SweepTable(
         columns, observables, next((one.title for one in points if one), "") or directory.resolve().name, status,
         [one.equation_of_state if one else None for one in points] if fitting else [],
         np.array([one.density if one else math.nan for one in points]) if fitting else np.empty(0),
+        merged,
     )
 
 
