@@ -296,24 +296,35 @@ std::vector<Mistake> cutoff_mistakes(double cutoff, const Box& box) {
     return found.take();
 }
 
+/// Names of the analyses that take the box of each configuration.
+std::string in_any_box() {
+    std::vector<std::string> names;
+    for (const AnalysisMethod& method : all_analyses()) {
+        if (!method.needs.fixed_box) {
+            names.push_back(method.name);
+        }
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses, const std::vector<Stage>& stages) {
     if (analyses.empty()) {
         return {};
     }
     const bool follows_time =
         std::ranges::any_of(analyses, [](const Choice& analysis) { return find_analysis(analysis.name).follows_time; });
-    const bool needs_box = std::ranges::any_of(analyses, [](const Choice& analysis) {
-        const AnalysisNeeds needs = find_analysis(analysis.name).needs;
-        return needs.fixed_box || needs.shortest_box;
-    });
+    const auto needs_box = std::ranges::find_if(
+        analyses, [](const Choice& analysis) { return find_analysis(analysis.name).needs.fixed_box; });
     const std::size_t first = first_sampled(stages);
     const double time_step = stages[first].time_step;
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
         const bool is_later = &stage >= &stages[first] && stages[first].sample;
-        if (is_later && stage.barostat && needs_box) {
-            found.add({key(&Stage::barostat)},
-                      "analyses need a box that stays as it is from the first sampled stage on",
-                      "sample a later stage without barostat, or leave the analyses out");
+        if (is_later && stage.barostat && needs_box != analyses.end()) {
+            found.add(
+                {key(&Stage::barostat)},
+                fmt::format("'{}' needs a box that stays as it is from the first sampled stage on", needs_box->name),
+                fmt::format("sample a later stage without barostat, or leave it out; with a barostat are: {}",
+                            in_any_box()));
         }
         if (follows_time && stage.sample && stage.time_step != time_step) {
             found.add({key(&Stage::time_step)},

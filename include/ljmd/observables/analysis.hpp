@@ -79,7 +79,6 @@ struct AnalysisNeeds {
     bool continuous_potential = false;  ///< a step at the cutoff has impulses, which the forces lack
     bool constant_energy = false;       ///< sampled stages without thermostat
     bool homogeneous = false;           ///< its formula is for one phase that fills the box
-    bool shortest_box = true;  ///< its options are limited by SampledRun::box, which a barostat may make too small
 };
 
 /// Why options do not fit, as pairs of key and message.

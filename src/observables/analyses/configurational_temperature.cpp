@@ -28,7 +28,7 @@ AnalysisMethod configurational_temperature() {
             .meaning = "temperature from forces and the curvature of the potential, without velocities",
             .files = {},
             .follows_time = false,
-            .needs = {.interaction = true, .fixed_box = false, .shortest_box = false},
+            .needs = {.interaction = true, .fixed_box = false},
             .quantities = {{"configurational_temperature", "T_conf", "epsilon/k_B"}},
             .options = [] { return std::make_unique<ConfigurationalTemperatureOptions>(); }};
 }

@@ -71,7 +71,7 @@ AnalysisMethod crystal() {
                 "Debye-Waller factors, written to bragg.csv",
             .files = {"bragg"},
             .follows_time = false,
-            .needs = {.fixed_box = false, .shortest_box = false},
+            .needs = {.fixed_box = false},
             .quantities = {{"site_displacement", "<u^2>", "sigma^2"},
                            {"site_displacement_debye_waller", "<u^2>_DW", "sigma^2"},
                            {"lindemann_ratio", "<u^2>^(1/2)/d", ""},

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double default_radius = 5.0;  // [sigma]: four shells of the liquid, and affordable in large systems
 
+/// Of half the box that a barostat makes smaller and larger.
+constexpr double share_of_changing_box = 0.9;
+
 double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();
 }
@@ -25,7 +28,7 @@ struct RdfOptions : AnalysisOptions {
             .dimension(Dimension::length)
             .unit("sigma")
             .above(0.0)
-            .optional("5 sigma or L/2, whichever is smaller")
+            .optional("5 sigma or L/2, with a barostat 0.45 L, whichever is smaller")
             .meaning("largest distance, at most L/2");
         description.integer("every", every)
             .at_least(1)
@@ -40,13 +43,13 @@ struct RdfOptions : AnalysisOptions {
         return {};
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
-        return std::make_unique<RadialDistribution>(bins, radius_in(run.box), Every(every));
+        return std::make_unique<RadialDistribution>(bins, radius_in(run), Every(every));
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         constexpr double of_atom = 36.0;   // of a pair histogram: place, cell, what one thread finds
         constexpr double of_part = 512.0;  // a counter in each block of atoms
         const Index samples = run.steps / every + 1;
-        const CoordinationNumber::Division division = CoordinationNumber::division(bins, radius_in(run.box));
+        const CoordinationNumber::Division division = CoordinationNumber::division(bins, radius_in(run));
         return {
             .kept = BlockingAccumulator::bytes(3 * bins, Covariance::diagonal, samples) +
                     BlockingAccumulator::bytes(division.shells, Covariance::full, samples),
@@ -54,8 +57,9 @@ struct RdfOptions : AnalysisOptions {
     }
 
   private:
-    [[nodiscard]] double radius_in(const Box& box) const {
-        return radius.value_or(std::min(default_radius, largest_radius(box)));
+    [[nodiscard]] double radius_in(const SampledRun& run) const {
+        const double share = run.held_pressure ? share_of_changing_box : 1.0;
+        return radius.value_or(std::min(default_radius, share * largest_radius(run.box)));
     }
 };
 

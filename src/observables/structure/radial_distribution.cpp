@@ -1,6 +1,8 @@
 #include "ljmd/observables/structure/radial_distribution.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -16,6 +18,9 @@ constexpr Index padding = 4;
 /// Number of the wave number 2 pi/R.
 constexpr Index smallest_known = 2 * padding;
 
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double rounding = 1e-9;
+
 double volume_within(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
@@ -29,7 +34,8 @@ RadialDistribution::RadialDistribution(Index bins, double radius, Every every)
       sines_(padding * bins),
       division_(CoordinationNumber::division(bins, radius)),
       means_(3 * bins, Covariance::diagonal),
-      neighbors_(division_) {}
+      neighbors_(division_),
+      reach_(radius) {}
 
 double RadialDistribution::wave_number(Index m) const {
     return std::numbers::pi * static_cast<double>(m) / (static_cast<double>(padding) * radius_);
@@ -51,6 +57,7 @@ Eigen::VectorXd RadialDistribution::structure_factor(const Eigen::VectorXd& g, d
 }
 
 void RadialDistribution::sample(const State& state, const Evaluation& /*evaluation*/) {
+    reach_ = std::min(reach_, 0.5 * state.box().shortest_edge());
     const std::vector<Index> counts = pair_histogram(state, radius_, bins_ * division_.parts);
     neighbors_.add(counts, state.count());
     const auto atoms = static_cast<double>(state.count());
@@ -85,18 +92,25 @@ std::vector<DataTable> RadialDistribution::tables() const {
         const Estimate g = means_.estimate(k);
         const Estimate neighbors = means_.estimate(bins_ + k);
         const Estimate s = means_.estimate(2 * bins_ + k);
-        rdf.rows.push_back({width() * (static_cast<double>(k) + 0.5), g.mean, g.standard_error, neighbors.mean,
-                            neighbors.standard_error});
+        const double middle = width() * (static_cast<double>(k) + 0.5);
+        if (middle + 0.5 * width() > reach_ * (1.0 + rounding)) {
+            rdf.rows.push_back({middle, no_value, no_value, no_value, no_value});
+        } else {
+            rdf.rows.push_back({middle, g.mean, g.standard_error, neighbors.mean, neighbors.standard_error});
+        }
         if (k + 1 >= smallest_known) {
             sk.rows.push_back({wave_number(k + 1), s.mean, s.standard_error});
         }
     }
-    return sk.rows.empty() ? std::vector{rdf} : std::vector{rdf, sk};
+    return sk.rows.empty() || reach_ < radius_ ? std::vector{rdf} : std::vector{rdf, sk};
 }
 
 std::vector<ObservableAverage> RadialDistribution::observables() const {
     if (samples() == 0) {
         return {};
+    }
+    if (reach_ < radius_) {
+        return {average_of("coordination_number", std::nullopt, "the box became smaller than twice the radius of rdf")};
     }
     return {neighbors_.observable()};
 }

@@ -17,7 +17,6 @@ TEST_CASE("response_functions looks every 50 steps, with energies, in any box, u
     CHECK_FALSE(method.follows_time);
     CHECK(method.needs.interaction);
     CHECK_FALSE(method.needs.fixed_box);
-    CHECK_FALSE(method.needs.shortest_box);
     CHECK(test::analysis_options(method, {{"every", std::int64_t{3}}})->make(run)->due(3));
     CHECK_THROWS_AS(test::analysis_section(method, {{"every", std::int64_t{0}}}), InputError);
 }

@@ -235,6 +235,36 @@ TEST_CASE("a curve of the structure factor has no wave longer than g(r) reaches,
     CHECK(tables_of(8)[1].rows[0][0] == Approx(std::numbers::pi).epsilon(1e-13));
 }
 
+TEST_CASE("in a box that changes each configuration counts by its own density, and g ends at half the shortest edge") {
+    const State large = test::random_state(200, Box(Vec3(8.0, 9.0, 10.0)), 5);
+    const State small = test::random_state(200, Box(Vec3(8.0, 6.5, 10.0)), 6);
+    constexpr Index bins = 20;
+    constexpr double radius = 4.0;
+    RadialDistribution rdf(bins, radius, Every(1));
+    rdf.sample(large, {});
+    CHECK(rdf.tables().size() == 2);
+    rdf.sample(small, {});
+    const auto tables = rdf.tables();
+    REQUIRE(tables.size() == 1);  // S(k) is an integral to the radius
+    REQUIRE(tables[0].rows.size() == 20);
+    for (Index k = 0; k < bins; ++k) {
+        const auto& row = tables[0].rows[static_cast<std::size_t>(k)];
+        if (k >= 16) {  // 3.2 < 6.5/2 < 3.4
+            CHECK(std::isnan(row[g_column]));
+            CHECK(std::isnan(row[coordination_column]));
+            continue;
+        }
+        double expected = 0.0;
+        for (const State* state : {&large, &small}) {
+            const double counted = counts_by_brute_force(*state, bins, radius)[static_cast<std::size_t>(k)];
+            expected += 0.5 * counted * state->box().volume() / (200.0 * 199.0 * shell(k, 0.2));
+        }
+        CHECK(row[g_column] == Approx(expected).epsilon(1e-13));
+    }
+    REQUIRE(rdf.observables().size() == 1);
+    CHECK_FALSE(rdf.observables()[0].estimate);
+}
+
 TEST_CASE("the coordination number of a crystal is that of its first shell") {
     // Shells at 1, sqrt 2, sqrt 3, 2 of the nearest distance: the emptiest bin behind the peak lies before sqrt 2.
     const State crystal = test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0));

@@ -13,7 +13,7 @@ namespace ljmd {
 /// O(atoms * neighbours). With few cells, too, each pair is met once. The counts do not depend on the number of
 /// threads.
 /// @param state   must have a box; is not changed
-/// @param radius  > 0 and at most half the shortest edge
+/// @param radius  > 0; beyond half the shortest edge not every image is counted
 /// @param bins    at least 1
 [[nodiscard]] std::vector<Index> pair_histogram(const State& state, double radius, Index bins);
 

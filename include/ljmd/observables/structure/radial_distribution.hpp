@@ -17,16 +17,17 @@ namespace ljmd {
 /// N. The integral is a sine transform by the midpoint rule. It lacks g beyond R, which causes ripples of wave length 2
 /// pi/R, and says nothing about waves longer than R: the curve begins at k = 2 pi/R. StructureFactor has no such limit
 /// but the box.
-/// Standard errors by block averaging over the sampled configurations.
-/// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms within the end of the
-/// bin), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 8 ... bins; there is none
-/// with fewer bins.
-/// Observable: coordination_number, of atoms within the first minimum of g, see coordination_number.hpp.
-/// Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
+/// V is that of each configuration. Where a barostat has made half an edge shorter than R, g has no values (NaN) beyond
+/// the shortest half of all sampled configurations, and there are no coordination number and no S(k). Standard errors
+/// by block averaging over the sampled configurations. Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error,
+/// coordination_number (atoms within the end of the bin), its error. Table `sk_from_rdf`: k [1/sigma], S, its error,
+/// for k = pi m/(4 R), m = 8 ... bins; there is none with fewer bins. Observable: coordination_number, of atoms within
+/// the first minimum of g, see coordination_number.hpp. Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet
+/// (1968), doi:10.1103/PhysRev.165.201
 class RadialDistribution : public Analysis {
   public:
     /// @param bins    at least 1
-    /// @param radius  R, largest distance [sigma], <= L/2
+    /// @param radius  R, largest distance [sigma], <= L/2 of the box at first
     RadialDistribution(Index bins, double radius, Every every);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
@@ -34,7 +35,7 @@ class RadialDistribution : public Analysis {
     [[nodiscard]] Index samples() const override { return means_.samples(); }
     [[nodiscard]] std::vector<DataTable> tables() const override;
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(means_, neighbors_); }
+    void archive(Archive& a) override { a(means_, neighbors_, reach_); }
 
   private:
     [[nodiscard]] Eigen::VectorXd structure_factor(const Eigen::VectorXd& g, double density) const;
@@ -48,6 +49,7 @@ class RadialDistribution : public Analysis {
     CoordinationNumber::Division division_;
     BlockingAccumulator means_;  ///< g, coordination number and S, each for all bins
     CoordinationNumber neighbors_;
+    double reach_;  ///< R, or half the shortest edge of all samples where that is less
 };
 
 }  // namespace ljmd
