@@ -45,6 +45,10 @@ constexpr double growth_of_slow_stress = 1.6;
 /// as if it had 16.
 constexpr double enough_exchanges = 24.0;
 
+/// Independent samples of what a heat capacity is the fluctuation of. Of runs with fewer those that look long enough are
+/// those that missed its slow part: near 30 in a gas their heat capacities were low by 2 errors.
+constexpr double enough_fluctuations = 64.0;
+
 /// Of an energy that is conserved but for errors of the integrator. @pre at least two samples
 Estimate conserved(const BlockingAccumulator& series, Index column) {
     const double deviation =
@@ -189,7 +193,7 @@ std::optional<ObservableAverage> RunAverages::heat_capacity() const {
         return c;
     }
     const Estimate fluctuating = series_.estimate(at_constant_energy ? temperature_column : potential_energy_column);
-    if (!c.estimate->converged || !fluctuating.converged) {
+    if (!c.estimate->converged || !fluctuating.converged || fluctuating.independent_samples < enough_fluctuations) {
         c.estimate.reset();
         c.remark = fmt::format("the run is too short to tell how its {} fluctuates",
                                at_constant_energy ? "temperature" : "energy");
