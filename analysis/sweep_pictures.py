@@ -75,6 +75,14 @@ def missed(asked: np.ndarray, found: np.ndarray, error: np.ndarray) -> np.ndarra
     return np.isfinite(found) & (np.abs(found - asked) > 3.0 * np.nan_to_num(error))
 
 
+def one_temperature(found: np.ndarray, error: np.ndarray) -> Optional[float]:
+    """The mean of temperatures that agree within three errors, as they do along an isotherm: its curve does not follow their noise."""
+    if len(found) < 2 or not (error > 0).all():
+        return None
+    mean = float(np.average(found, weights=error ** -2))
+    return None if missed(np.full(len(found), mean), found, error).any() else mean
+
+
 def label_of(key: str, value: str, rows: Sequence[int], sweep: SweepTable) -> str:
     """What a line has of one of the keys that are not on the axis."""
     label = f"{key.rpartition('.')[2]} = {shortened(value)}"
@@ -143,6 +151,9 @@ def equation_beside(sweep: SweepTable, axis: Axis, observable: str, rows: np.nda
     if observable not in equation_of_state.OBSERVABLES or len(models) != 1 or None in models or axis.categories:
         return None
     places, temperatures = axis.places[rows], sweep.observables["temperature"][rows]
+    errors = np.nan_to_num(sweep.observables.get("temperature" + ERROR, np.zeros(len(axis.places))))[rows]
+    if axis.asked is None and (mean := one_temperature(temperatures, errors)) is not None:
+        temperatures = np.full(len(rows), mean)
     densities = sweep.densities[rows]
     if not (np.isfinite(temperatures).all() and np.isfinite(densities).all()):
         return None

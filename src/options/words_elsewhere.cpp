@@ -31,17 +31,21 @@ constexpr std::array meanings{
     Meaning{" berendsen ",
             "it samples no ensemble and is not in ljmd: 'stochastic-rescaling' is as gentle, and canonical; for "
             "pressure 'stochastic-cell-rescaling'"},
-    Meaning{" nosehoover nose nhc mttk mtk martynatobiasklein ", "the thermostat is called 'nose-hoover-chain' here"},
+    Meaning{" nosehoover nose nhc mttk mtk martynatobiasklein ",
+            "the thermostat is called 'nose-hoover-chain' here; barostats are 'stochastic-cell-rescaling' and "
+            "'anisotropic-cell-rescaling'"},
     Meaning{" crescale scr bernettibussi ", "it is called 'stochastic-cell-rescaling' here"},
     Meaning{" parrinellorahman montecarlobarostat andersenbarostat ",
             "not in ljmd; 'stochastic-cell-rescaling' samples the same ensemble"},
     Meaning{" baoab brownian ", "'langevin' is BAOAB"},
+    Meaning{" tau taut taup tdamp pdamp damp tcoupl relaxationtime couplingtime ", "it is called 'time' here"},
     Meaning{" velocityrescale velocityrescaling temprescale ", "it is called 'rescale' here"},
     // Potentials
     Meaning{" mie lj96 buckingham yukawa ",
             "not in ljmd; a pair potential of one's own is a function, see docs/own-parts.md"},
     Meaning{" wca weekschandlerandersen ",
             "it is type = \"lennard-jones\", truncation = \"shifted\", cutoff = 1.122462048309373 (ljmd init wca)"},
+    Meaning{" epsilon sigma ", "it is the unit; [argon] gives it in kelvin and angstrom"},
     Meaning{" lj ljcut lennardjones ", "it is called 'lennard-jones' here"},
     Meaning{" rcut rc rcutoff cutoffradius cutoffdistance ", "it is called 'cutoff' here"},
     Meaning{" shift shiftedpotential ", "it is called 'shifted' here"},
@@ -75,7 +79,10 @@ constexpr std::array meanings{
             "it is called 'viscosity' here; see also 'bulk_viscosity' and "
             "'thermal_conductivity'"},
     Meaning{" widom chemicalpotential mu ", "it is called 'chemical_potential' here"},
-    Meaning{" surfacetension ", "it is in 'film'"},
+    Meaning{" heatcapacity cv isochoricheatcapacity ", "c_v is measured without being asked for"},
+    Meaning{" response fluctuations compressibility thermalexpansion soundvelocity speedofsound ",
+            "it is in 'response_functions'"},
+    Meaning{" surfacetension densityprofile profile profiles pressureprofile ", "it is in 'film'"},
 };
 
 std::string normalized(const std::string& word) {

@@ -14,6 +14,26 @@ namespace {
 
 constexpr int most_places = 120;  // of all curves together
 
+/// Give the points of a curve one temperature where theirs agree within three errors.
+void join_temperatures(std::vector<StateOnAxis>& curve) {
+    double weights = 0.0;
+    double mean = 0.0;
+    for (const StateOnAxis& state : curve) {
+        const double weight = 1.0 / (state.temperature_error * state.temperature_error);
+        weights += weight;
+        mean += weight * (state.temperature - curve.front().temperature);
+    }
+    mean = curve.front().temperature + mean / weights;
+    const auto agrees = [mean](const StateOnAxis& state) {
+        return std::abs(state.temperature - mean) <= 3.0 * state.temperature_error;
+    };
+    if (std::ranges::all_of(curve, agrees)) {  // not where an error is unknown or zero: the mean is NaN
+        for (StateOnAxis& state : curve) {
+            state.temperature = mean;
+        }
+    }
+}
+
 }  // namespace
 
 PageTable equation_curves(const std::string& x, const std::vector<StateOnAxis>& states) {
@@ -27,7 +47,10 @@ PageTable equation_curves(const std::string& x, const std::vector<StateOnAxis>& 
     std::vector<std::string> series;
     std::vector<std::vector<double>> values(comparable_properties().size());
     const int parts = std::max(1, most_places / std::max(static_cast<int>(states.size()), 1));
-    for (const auto& [name, curve] : curves) {
+    for (auto& [name, curve] : curves) {
+        if (x != "temperature") {
+            join_temperatures(curve);
+        }
         for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
             const StateOnAxis& from = curve[k];
             const StateOnAxis& to = curve[k + 1];

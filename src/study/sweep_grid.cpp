@@ -108,6 +108,12 @@ Axis read_axis(const std::string& text, const Location& where, Diagnostics& diag
     return {key, axis_values(text.substr(equals + 1), key, where, diagnostics)};
 }
 
+/// KEY=A, then values alone: "density=0.1,0.2,0.3" cut at its commas.
+bool of_one_key(const std::vector<std::string>& parts) {
+    const auto is_axis = [](const std::string& part) { return part.find('=') != std::string::npos; };
+    return parts.size() > 1 && is_axis(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), is_axis);
+}
+
 /// All combinations; the last axis varies fastest.
 SweepPoints combinations(const std::vector<Axis>& axes) {
     SweepPoints points{{}, {{}}};
@@ -155,7 +161,13 @@ SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector
     std::size_t count = 1;
     for (const std::string& grid : grids) {
         const Location where{std::make_shared<const Source>(Source{"--grid " + grid, grid})};
-        for (const std::string& text : parts_of(grid, ',')) {
+        const std::vector<std::string> parts = parts_of(grid, ',');
+        if (std::ranges::none_of(parts, [](const std::string& part) { return part.empty(); }) && of_one_key(parts)) {
+            diagnostics.error(where, "the values of one key are separated by |",
+                              fmt::format("'{}'", fmt::join(parts, "|")));
+            return {};
+        }
+        for (const std::string& text : parts) {
             axes.push_back(read_axis(text, where, diagnostics));
             count = std::min(count * axes.back().values.size(), max_points + 1);
         }

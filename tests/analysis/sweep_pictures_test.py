@@ -170,6 +170,12 @@ def test_the_equation_of_state_stands_beside_the_points(tmp: Path) -> None:
         assert axes.get_legend() is None and len(axes.get_lines()[0].get_xdata()) == 3
 
 
+def test_an_isotherm_does_not_follow_the_noise_of_its_temperature(_: Path) -> None:
+    assert sweep_pictures.one_temperature(np.array([1.51, 1.48]), np.array([0.02, 0.01])) == (1.51 + 4 * 1.48) / 5
+    assert sweep_pictures.one_temperature(np.array([1.6, 1.48]), np.array([0.02, 0.01])) is None
+    assert sweep_pictures.one_temperature(np.array([1.5, 1.5]), np.array([0.0, 0.01])) is None
+
+
 def test_replicas_stand_beside_what_all_of_them_say(tmp: Path) -> None:
     directory = write_points(tmp / "replicas")
     request = json.loads((directory / "sweep.json").read_text()) | {"keys": ["system.seed"], "replicas": 3}

@@ -16,6 +16,10 @@ TEST_CASE("words of other programs and texts are answered by what stands in a de
     CHECK_THAT(word_elsewhere("bcc"), Contains("comes from a file"));
     CHECK_THAT(word_elsewhere("dimensions"), Contains("three dimensions"));
     CHECK_THAT(word_elsewhere("intermediate_scattering"), Contains("'scattering'"));
+    CHECK_THAT(word_elsewhere("Tdamp"), Contains("'time'"));
+    CHECK_THAT(word_elsewhere("epsilon"), Contains("the unit"));
+    CHECK_THAT(word_elsewhere("heat_capacity"), Contains("without being asked"));
+    CHECK_THAT(word_elsewhere("density_profile"), Contains("'film'"));
     CHECK_THAT(word_elsewhere("g(r)"), Contains("'rdf'"));
     CHECK_THAT(word_elsewhere("steinhardt"), Contains("not in ljmd"));
 }

@@ -188,13 +188,15 @@ std::vector<StateOnAxis> states_of(const Finished& finished, const std::vector<d
                                    const std::vector<std::string>& series) {
     const auto temperatures =
         numbers(finished, "temperature", [](const Quantity& q) { return std::optional(q.value); });
+    const auto errors = numbers(finished, "temperature", [](const Quantity& q) { return q.error; });
     std::vector<StateOnAxis> states;
     for (std::size_t point = 0; point < places.size(); ++point) {
         std::string equation;
         for (const Quantity& each : finished.quantities[point]) {
             equation = each.reference_label.empty() ? equation : each.reference_label;
         }
-        states.push_back({places[point], temperatures[point], finished.densities[point], equation, series[point]});
+        states.push_back(
+            {places[point], temperatures[point], errors[point], finished.densities[point], equation, series[point]});
     }
     return states;
 }
