@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "ljmd/cli/command.hpp"
 #include "ljmd/cli/deck_options.hpp"
+#include "ljmd/cli/plot_scripts.hpp"
 #include "ljmd/cli/ranks.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/openmm.hpp"
@@ -17,6 +21,7 @@
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/program_module.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -83,6 +88,27 @@ OpenmmHere openmm_here() {
     }
 }
 
+/// The folder of Python packages that holds the one of this program: in a build beside it, in an installation where a
+/// link beside the scripts leads. Empty where it was not built.
+std::filesystem::path python_path() {
+    namespace fs = std::filesystem;
+    const fs::path here = this_program().parent_path();
+    std::vector<fs::path> packages{here / "python" / "ljmd"};
+    try {
+        packages.push_back(plot_script(here).parent_path().parent_path() / "python" / "ljmd");
+    } catch (const InputError&) {  // the program alone was copied
+    }
+    for (const fs::path& package : packages) {
+        std::error_code absent;
+        for (const fs::directory_entry& entry : fs::directory_iterator(package, absent)) {
+            if (entry.path().filename().string().starts_with("_core.") && entry.path().extension() == ".so") {
+                return fs::canonical(package).parent_path();
+            }
+        }
+    }
+    return {};
+}
+
 std::string info_text() {
     const BuildInfo& build = build_info();
     const ProgramModule mpi = mpi_module();
@@ -95,6 +121,8 @@ std::string info_text() {
                         available_processors());
     text += fmt::format("openmm        {}\n", openmm_here().line);
     text += fmt::format("mpi           {}\n", mpi.is_there() ? mpi.path().string() : "not built in");
+    const std::string python = python_path().string();
+    text += fmt::format("python        {}\n", python.empty() ? "not built" : "PYTHONPATH=" + python);
     for (const auto& [word, names] : selectable()) {
         text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
     }
@@ -114,6 +142,7 @@ std::string info_json() {
     }
     const OpenmmHere openmm = openmm_here();
     const ProgramModule mpi = mpi_module();
+    const std::string python = python_path().string();
     const Data json = {{"version", build.version},
                        {"commit", build.commit},
                        {"compiler", build.compiler + " " + build.compiler_version},
@@ -124,6 +153,7 @@ std::string info_json() {
                        {"processors", available_processors()},
                        {"openmm", openmm.version},
                        {"mpi", mpi.is_there() ? Data(mpi.path().string()) : Data(nullptr)},
+                       {"python_path", python.empty() ? Data(nullptr) : Data(python)},
                        {"openmm_platforms", openmm.platforms},
                        {"potentials", PairPotential::formula_names()},
                        {"truncations", PairPotential::truncation_names()},
