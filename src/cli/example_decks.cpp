@@ -34,9 +34,9 @@ const ExampleDeck& example_deck(const std::string& name) {
     const auto found = std::ranges::find(decks, name, &ExampleDeck::name);
     if (found == decks.end()) {
         const std::string nearest = nearest_name(name, example_names());
-        throw InputError(
-            fmt::format("no example is named {}\n  {}", in_quotes(name),
-                        nearest.empty() ? "all names: ljmd init --list" : fmt::format("did you mean '{}'?", nearest)));
+        throw InputError(fmt::format("no example is named {}\n  {}", in_quotes(name),
+                                     nearest.empty() ? "all names: ljmd init --list; a file of your own ends in .toml"
+                                                     : fmt::format("did you mean '{}'?", nearest)));
     }
     return *found;
 }

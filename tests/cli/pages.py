@@ -74,9 +74,11 @@ def init_writes_any_example(t):
     t.equal({line.split()[0] for line in listed}, set(decks), "names of --list")
     for line in listed:
         name, title = line.split(maxsplit=1)
-        t.run_well("init", "--example", name)
+        t.run_well("init", name)
         t.equal(t.read(f"{name}.toml"), decks[name].read_text(encoding="utf-8"), name)
         t.contains(t.read(f"{name}.toml"), f'title = "{title}"\n')
+    t.run_well("init", "mine", "--example", "wca")
+    t.equal(t.read("mine"), decks["wca"].read_text(encoding="utf-8"), "an example in a file of another name")
 
 
 def init_replaces_nothing_unasked(t):
@@ -84,7 +86,7 @@ def init_replaces_nothing_unasked(t):
     (t.dir / "folder").mkdir()
     (t.dir / "link.toml").symlink_to("nowhere")
     told = t.expect(2, t.run("init")).err + t.expect(2, t.run("init", "folder")).err + t.expect(2, t.run("init", "link.toml")).err
-    told += t.expect(2, t.run("init", "--example", "argon-846")).err + t.expect(2, t.run("init", "--example", "?")).err
+    told += t.expect(2, t.run("init", "argon-846")).err + t.expect(2, t.run("init", "--example", "?")).err
     told += t.expect(4, t.run("init", "nowhere/deck.toml")).err
     t.golden(told)
     t.equal(t.read("first.toml"), "mine\n", "first.toml")

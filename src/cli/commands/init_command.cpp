@@ -6,6 +6,7 @@
 #include "ljmd/cli/deck_options.hpp"
 #include "ljmd/cli/example_decks.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/output_guard.hpp"
@@ -18,8 +19,9 @@ namespace fs = std::filesystem;
 
 /// Options of `ljmd init`.
 struct InitOptions {
-    std::string file{};             ///< empty: <example>.toml in the working directory
-    std::string example = "first";  ///< one of example_names()
+    std::string
+        file{};  ///< the deck to write, or the name of an example; empty: <example>.toml in the working directory
+    std::string example{};  ///< one of example_names(); empty: the one that `file` names, or the first
     bool force = false;
     bool list = false;  ///< print the examples instead
 };
@@ -37,7 +39,8 @@ class InitCommand : public Command {
     InitCommand() : Command("init", Part::runs, "write a commented deck to begin with") {}
 
     void add_options(CLI::App& command) override {
-        command.add_option("file", options_.file, "deck to write, EXAMPLE.toml by default")->type_name("FILE");
+        command.add_option("file", options_.file, "deck to write, EXAMPLE.toml by default; or EXAMPLE itself")
+            ->type_name("FILE");
         command.add_option("--example", options_.example, "the deck of that name; first by default")
             ->type_name("EXAMPLE");
         command.add_flag("--force", options_.force, "replace the file if it exists");
@@ -49,13 +52,16 @@ class InitCommand : public Command {
             print_result(list_of_examples());
             return;
         }
-        const ExampleDeck& deck = example_deck(options_.example);
+        const bool is_file = !options_.example.empty() || fs::path(options_.file).extension() == ".toml";
+        const std::string first = options_.file.empty() || is_file ? "first" : options_.file;
+        const ExampleDeck& deck = example_deck(options_.example.empty() ? first : options_.example);
         const fs::path file =
-            options_.file.empty() ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options_.file);
+            options_.file.empty() || !is_file ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options_.file);
         write_output(file, {.force = options_.force}, deck.text);
-        print_result(fmt::format(
-            "{0}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall keys: ljmd info --keys\n",
-            file.string(), shell_word(file)));
+        print_result(
+            fmt::format("{0}: the example {2}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall "
+                        "keys: ljmd info --keys\n",
+                        file.string(), shell_word(file), in_quotes(deck.name)));
     }
 
   private:
