@@ -79,6 +79,17 @@ std::vector<WantedError> wanted_errors(const std::vector<std::string>& asked) {
     return wanted;
 }
 
+/// Why runs go on though an error is small enough.
+std::string why_not_yet(const ReachedError& error, const ReferenceValue& value) {
+    if (error.reached || !(error.error <= error.wanted.error)) {
+        return "";
+    }
+    return value.independent < least_independent_samples
+               ? fmt::format(", not yet: {:.0f} independent samples of {:.0f}", value.independent,
+                             least_independent_samples)
+               : ", not yet: the error is a guess";
+}
+
 /// Wait for errors that more steps can reach, and say how far they are.
 /// @param values  of the folder of the phase
 template <class Values>
@@ -91,10 +102,10 @@ std::vector<ReferenceValue> reach_errors(ReferencePhase& phase, const ReferenceS
         if (!quiet) {
             for (const ReachedError& one : errors) {
                 const auto value = std::ranges::find(found, one.wanted.observable, &ReferenceValue::name);
-                print_message(value->mean
-                                  ? fmt::format("  {} {}, wanted {:.2g}\n", value->name,
-                                                with_error_in_brackets(*value->mean, one.error), one.wanted.error)
-                                  : fmt::format("  {}: no value yet\n", value->name));
+                print_message(value->mean ? fmt::format("  {} {}, wanted {:.2g}{}\n", value->name,
+                                                        with_error_in_brackets(*value->mean, one.error),
+                                                        one.wanted.error, why_not_yet(one, *value))
+                                          : fmt::format("  {}: no value yet\n", value->name));
             }
         }
         const auto next = next_length(errors, phase.steps(), setup.request.max_steps);
