@@ -37,7 +37,10 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
     Diagnostics ignored;
     const Placed<ArgonTable> argon(validate(std::get<Table>(entry->value.data), entry->key_location,
                                             Placed<ArgonTable>::schema("[argon]"), std::nullopt, ignored));
-    const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // so that the other units can be checked; the deck is refused anyway
+    // Of argon, so that other quantities can be checked as if it were there; the deck is refused anyway.
+    const SubstanceUnits stand_in(parse_quantity("3.405 angstrom", Dimension::length).value(),
+                                  parse_quantity("119.8 K", Dimension::energy).value(),
+                                  parse_quantity("39.948 u", Dimension::mass).value());
     if (ignored.has_errors()) {
         return stand_in;
     }

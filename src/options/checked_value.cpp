@@ -60,6 +60,18 @@ std::string allowed_hint(const Key& key) {
     return allowed.empty() || key.kind == Kind::choice ? allowed : "allowed: " + allowed;
 }
 
+/// How a table is written where its type, or a single value, stands in its place.
+std::string table_hint(const Key& key, const std::string* text) {
+    const Schema& table = key.inner.front();
+    const auto& selections = table.selections();
+    if (text != nullptr && !selections.empty() && selections.front().cases.contains(*text)) {
+        return fmt::format("write {{ {} = \"{}\" }}", selections.front().key, *text);
+    }
+    const std::string hint = allowed_hint(key);
+    const bool all_optional = std::ranges::none_of(table.keys(), [](const Key& inner) { return inner.required; });
+    return hint.empty() && all_optional ? "write {} for all defaults" : hint;
+}
+
 void report_wrong_kind(const KeyContext& context, const Value& value) {
     const Key& key = context.key;
     std::string hint = allowed_hint(key);
@@ -67,6 +79,7 @@ void report_wrong_kind(const KeyContext& context, const Value& value) {
     if (text && reads_as(key.kind, *text)) hint = "remove the quotes";
     const bool has_parts = std::holds_alternative<Array>(value.data) || std::holds_alternative<Table>(value.data);
     if (key.kind == Kind::text && !has_parts) hint = "put it in quotes";
+    if (key.kind == Kind::table && !has_parts) hint = table_hint(key, text);
     context.diagnostics.error(
         value.location, fmt::format("{} must be {}, found {}", context.subject(), expected_kind(key), kind_name(value)),
         hint);
