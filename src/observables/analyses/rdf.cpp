@@ -86,7 +86,12 @@ AnalysisMethod rdf() {
                         .lead = true,
                         .level = 1.0,
                         .level_label = "no order"},
-                       {.file = "sk_from_rdf", .x = "k", .y = "S", .title = "Structure factor from g(r)"}},
+                       {.file = "sk_from_rdf",
+                        .x = "k",
+                        .y = "S",
+                        .title = "Structure factor from g(r)",
+                        .caption = "The band is one standard error. Ripples before the first peak come from the "
+                                   "end of g(r) and are not in it; the analysis structure_factor has none."}},
             .options = [] { return std::make_unique<RdfOptions>(); }};
 }
 
