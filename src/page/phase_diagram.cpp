@@ -1,5 +1,7 @@
 #include "phase_diagram.hpp"
 
+#include <fmt/format.h>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/reference/fluid_phase.hpp"
 
@@ -60,11 +62,23 @@ Data state_of_fluid(double temperature, double density) {
     try {
         const PhaseOfState phase = phase_of_state(equation(), temperature, density);
         const bool is_cold = temperature < triple_point_temperature && phase.phase != FluidPhase::gas;
-        data["phase"] = is_cold ? "below the triple point" : name_of(phase.phase);
-        data["lines"] =
-            is_cold ? "only crystal and vapour are stable there, and a liquid is supercooled" : phase.lines();
-        data["stable"] = !is_cold && (phase.phase == FluidPhase::gas || phase.phase == FluidPhase::liquid ||
-                                      phase.phase == FluidPhase::supercritical);
+        data["fluid"] = !is_cold && phase.phase != FluidPhase::solid && phase.phase != FluidPhase::two_phases;
+        if (is_cold) {
+            data["phase"] = "crystal, with vapour where there is room";
+            data["lines"] = "a liquid is supercooled below the triple point";
+        } else if (phase.phase == FluidPhase::solid) {
+            data["phase"] = "crystal";
+            data["lines"] = fmt::format("a liquid would be supercooled; {}", phase.lines());
+        } else if (phase.phase == FluidPhase::supercooled_liquid) {
+            data["phase"] = "crystal beside liquid";
+            data["lines"] =
+                fmt::format("a liquid alone is supercooled, a crystal alone superheated; {}", phase.lines());
+        } else {
+            data["phase"] = name_of(phase.phase);
+            data["lines"] = phase.lines();
+        }
+        data["stable"] = phase.phase != FluidPhase::metastable_gas && phase.phase != FluidPhase::metastable_liquid &&
+                         phase.phase != FluidPhase::two_phases;
         if (phase.phase == FluidPhase::two_phases && phase.saturation) {
             data["saturation_pressure"] = phase.saturation->pressure;
         }
@@ -72,6 +86,7 @@ Data state_of_fluid(double temperature, double density) {
         data["phase"] = nullptr;  // far below the triple point
         data["lines"] = error.what();
         data["stable"] = false;
+        data["fluid"] = false;
     }
     return data;
 }

@@ -44,9 +44,14 @@ TEST_CASE("a state of the page has the pressure and the phase of the equation of
     CHECK(torn["phase"].text() == "two phases");
     CHECK_FALSE(torn["stable"].flag());
     CHECK(torn["saturation_pressure"].number() > 0.0);
-    CHECK_FALSE(state_of_fluid(0.75, 0.95)["stable"].flag());
-    // Where no liquid is stable, a dense fluid is not called one.
-    CHECK(state_of_fluid(0.6, 0.97)["phase"].text() == "below the triple point");
-    CHECK_FALSE(state_of_fluid(0.6, 0.97)["stable"].flag());
+    CHECK_FALSE(torn["fluid"].flag());
+    // Where a crystal is stable it is called so: it may be in the box.
+    CHECK(state_of_fluid(0.75, 0.95)["phase"].text() == "crystal beside liquid");
+    CHECK(state_of_fluid(0.75, 0.95)["fluid"].flag());
+    CHECK(state_of_fluid(0.7, 0.97)["phase"].text() == "crystal");
+    CHECK(state_of_fluid(0.7, 0.97)["stable"].flag());
+    CHECK_FALSE(state_of_fluid(0.7, 0.97)["fluid"].flag());
+    CHECK(state_of_fluid(0.6, 0.97)["phase"].text() == "crystal, with vapour where there is room");
+    CHECK_FALSE(state_of_fluid(0.6, 0.97)["fluid"].flag());
     CHECK(state_of_fluid(0.6, 1e-4)["phase"].text() == "gas");
 }

@@ -8,8 +8,9 @@ function slider(name, key, unit) {
     const id = uniqueId(key);
     const input = element("input", { id, type: "range", ...LIMITS[key] });
     const output = element("output", { for: id });
-    const row = element("div", { class: `slider of-${key}` }, element("label", { for: id }, withSubscripts(word(name))), output, input);
-    return { row, input, show: (value = Number(input.value)) => {
+    const label = element("label", { for: id }, withSubscripts(word(name)));
+    const row = element("div", { class: `slider of-${key}` }, label, output, input);
+    return { row, input, label, show: (value = Number(input.value)) => {
         output.textContent = `${number(value, 4)}${unit ? ` ${unit}` : ""}`;
         input.setAttribute("aria-valuetext", output.textContent);
     } };
@@ -50,10 +51,16 @@ export class Controls {
         }
         this.size.value = controls.cells;
         this.held.checked = controls.held;
+        this.startsThere = !controls.held && controls.equilibration === 0;   // the run goes on to a temperature of its own
+        this.sliders.temperature.label.textContent = word(this.startsThere ? "temperature at first" : "temperature");
     }
 
     /** @param {object} state what the engine says of the state */
     name(state) {
+        if (this.startsThere) {
+            this.words.textContent = word("own temperature");
+            return;
+        }
         const phase = state.phase === null ? null : state.phase[0].toUpperCase() + state.phase.slice(1);
         this.words.textContent = phase === null ? word("far below") : word(state.stable ? "stable lines" : "not stable", { phase, lines: state.lines ? `${state.lines[0].toUpperCase()}${state.lines.slice(1)}.` : "" });
         this.words.classList.toggle("unsure", !state.stable);

@@ -16,7 +16,6 @@ const KNOW = 700;       // milliseconds between looks at the averages
 const MOST_ROWS = 6000;
 const MOST_STAGES = 10; // of a run that is told as one deck
 const MOST_WORK = 1.5e7; // steps of one atom that are computed again for it
-const NOT_FLUID = [null, "solid", "two phases", "below the triple point"];  // where the equation of state says nothing
 const SLICE = 500;      // steps that are computed at once where nobody looks
 
 /* global ljmdFewBodies, ljmdDiagram: decks of inputs/fewbody by name, and lines of the phase diagram; put here by build.mjs */
@@ -245,7 +244,7 @@ export class Page {
     async nameState({ temperature, density }) {
         const state = await this.client.call("state", { temperature, density });
         this.sliders.name(state);
-        this.phase = state.phase;
+        this.isFluid = state.fluid;
     }
 
     isFull() {
@@ -326,7 +325,7 @@ export class Page {
             if (this.run.kind === "fluid") {
                 this.known.speeds = await this.client.call("speeds");
                 const temperature = results.observables?.temperature?.mean;
-                const equation = temperature > 0 && this.isFull() && !NOT_FLUID.includes(this.phase) ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
+                const equation = temperature > 0 && this.isFull() && this.isFluid ? await this.client.call("equation", { temperature, density: this.run.density }) : null;
                 this.numbers.update(results, equation, this.controls);
             }
             if (this.transport.playing) {

@@ -39,7 +39,8 @@ export const WORDS = {
     "speed legend": "thermal speeds √(kT/m)", "box": "Box", "reset view": "Reset view",
 
     "controls": "State",
-    "temperature": "Temperature T", "density": "Density ρ", "time step": "Time step Δt", "size": "Atoms N", "cutoff": "Cutoff r_c",
+    "temperature": "Temperature T", "temperature at first": "Temperature T at the start", "own temperature": "At constant energy the run finds a temperature of its own: see the averages.",
+    "density": "Density ρ", "time step": "Time step Δt", "size": "Atoms N", "cutoff": "Cutoff r_c",
     "hold": "Hold the temperature (canonical)",
     "phase gas": "gas", "stable": "{phase}: stable.", "not stable": "{phase}: not stable. {lines}", "stable lines": "{phase}. {lines}",
     "far below": "Far below the triple point, where no fluid is known.",
