@@ -15259,8 +15259,8 @@ ${extraStyle}`
   function role(place) {
     return `var(--role-${(place % ROLES + ROLES) % ROLES})`;
   }
-  function roleNow(place) {
-    return getComputedStyle(document.documentElement).getPropertyValue(`--role-${place % ROLES}`).trim();
+  function roleNow(place, node = document.documentElement) {
+    return getComputedStyle(node).getPropertyValue(`--role-${place % ROLES}`).trim();
   }
   var VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"].map((hex2) => [0, 2, 4].map((place) => parseInt(hex2.slice(place, place + 2), 16)));
   function viridis2(at) {
@@ -36124,8 +36124,11 @@ void main() {
         "aria-label": `Tracks of ${title}. Arrow keys turn, plus and minus zoom, 0 resets.`
       }, this.canvas);
       this.playback = new Playback(this.frames, data.times ?? [], pretty(data.time_unit ?? ""), 20);
-      const print = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
-      window.addEventListener("beforeprint", () => this.paint(print, 1.5, { ground: "#ffffff", ink: "#1a1d21" }));
+      const print = element("canvas", { class: "print-only always-light", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
+      window.addEventListener("beforeprint", () => {
+        this.paint(print, 3, { ground: "#ffffff", ink: "#1a1d21" });
+        print.getContext("2d").drawImage(print, 0, 0);
+      });
       this.node = element(
         "div",
         { class: "viewer" },
@@ -36196,7 +36199,7 @@ void main() {
       pen.fillRect(0, 0, canvas.width, canvas.height);
       pen.lineJoin = pen.lineCap = "round";
       this.bodies.forEach((_, body) => {
-        pen.strokeStyle = roleNow(body % ROLES);
+        pen.strokeStyle = roleNow(body % ROLES, canvas);
         pen.globalAlpha = 0.3;
         pen.lineWidth = ratio;
         this.line(pen, project2, body, 0, this.frames - 1);
@@ -36208,15 +36211,16 @@ void main() {
         }
         pen.globalAlpha = 1;
       });
-      this.bodiesNow(pen, (body) => project2(now, body), ratio, ink, ground);
+      this.bodiesNow(canvas, (body) => project2(now, body), ratio, ink, ground);
     }
-    bodiesNow(pen, project2, ratio, ink, ground) {
+    bodiesNow(canvas, project2, ratio, ink, ground) {
+      const pen = canvas.getContext("2d");
       const heaviest = Math.max(...this.bodies.map((body) => body.mass ?? 1)) || 1;
       pen.font = `600 ${13 * ratio}px system-ui, sans-serif`;
       const drawn = this.bodies.map((body, place) => ({ body, place, at: project2(place) })).sort((a2, b) => b.at[2] - a2.at[2]);
       for (const { body, place, at: [x2, y2] } of drawn) {
         const size = ratio * (4.5 + 6.5 * Math.cbrt((body.mass ?? 1) / heaviest));
-        const colour = roleNow(place % ROLES);
+        const colour = roleNow(place % ROLES, canvas);
         const shade = pen.createRadialGradient(x2 - 0.35 * size, y2 - 0.4 * size, 0.1 * size, x2, y2, size);
         shade.addColorStop(0, `color-mix(in srgb, ${colour} 45%, white)`);
         shade.addColorStop(0.55, colour);
