@@ -36593,30 +36593,53 @@ void main() {
     if (b === null || b === void 0) return -1;
     return typeof a2 === "string" ? a2.localeCompare(String(b), "en", { numeric: true }) : a2 - b;
   }
+  var columnHead = (entry, ...content) => element("th", { scope: "col", class: entry.values.some((value2) => typeof value2 === "string") ? "text" : null }, content);
+  var nameOf = (entry) => [
+    withSubscripts(entry.label || entry.name),
+    entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null
+  ];
+  var PAPER_LETTERS = 100;
+  var BETWEEN = 2;
+  function letters(entry) {
+    const texts = entry.values.map((_, row2) => cell2(entry, row2)).map((shown) => typeof shown === "string" ? shown : shown.textContent);
+    const words2 = [String(entry.label || entry.name), ...texts].flatMap((text3) => text3.split(/\s+/));
+    return BETWEEN + Math.max(...words2.map((word) => word.length), ...texts.map((text3) => Math.min(24, text3.length)));
+  }
+  function paperParts(columns, hasFlags) {
+    const measured = columns.findIndex((entry) => entry.errors);
+    const names = columns.slice(0, Math.min(2, Math.max(1, measured)));
+    const room = PAPER_LETTERS - (hasFlags ? 12 : 0) - names.reduce((sum2, entry) => sum2 + letters(entry), 0);
+    const parts = [];
+    let left2 = -1;
+    for (const entry of columns.slice(names.length)) {
+      const needed = letters(entry);
+      left2 -= needed;
+      if (left2 < 0) {
+        parts.push([...names]);
+        left2 = room - needed;
+      }
+      parts.at(-1).push(entry);
+    }
+    return parts;
+  }
   function grid(table, label2) {
     const columns = shownColumns(table);
     const flags = table.flag ? column2(table, table.flag) : [];
     const order = Array.from({ length: rowCount(table) }, (_, row2) => row2);
     const body = element("tbody");
-    const fill = () => {
-      body.replaceChildren(...order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row2) => element("tr", { class: flags[row2] ? "suspect" : null }, columns.map((entry, place) => {
-        const text3 = typeof entry.values[row2] === "string";
-        return element(
-          "td",
-          { class: text3 ? "text" : null },
-          cell2(entry, row2),
-          place === 0 && flags[row2] ? element("span", { class: "flag" }, "suspect") : null
-        );
-      }))));
-    };
-    const heads = columns.map((entry) => {
-      const head = element("th", { scope: "col", class: entry.values.some((value2) => typeof value2 === "string") ? "text" : null });
-      const button = element(
-        "button",
-        { type: "button", class: "sort" },
-        withSubscripts(entry.label || entry.name),
-        entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null
+    const rows = (shown) => order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row2) => element("tr", { class: flags[row2] ? "suspect" : null }, shown.map((entry, place) => {
+      const text3 = typeof entry.values[row2] === "string";
+      return element(
+        "td",
+        { class: text3 ? "text" : null },
+        cell2(entry, row2),
+        place === 0 && flags[row2] ? element("span", { class: "flag" }, "suspect") : null
       );
+    })));
+    const fill = () => body.replaceChildren(...rows(columns));
+    const heads = columns.map((entry) => {
+      const head = columnHead(entry);
+      const button = element("button", { type: "button", class: "sort" }, nameOf(entry));
       button.addEventListener("click", () => {
         const down = head.getAttribute("aria-sort") === "ascending";
         heads.forEach((other) => other.removeAttribute("aria-sort"));
@@ -36628,7 +36651,20 @@ void main() {
       return head;
     });
     fill();
-    return scroller(label2, element("table", {}, element("thead", {}, element("tr", {}, heads)), body));
+    const whole = element("table", {}, element("thead", {}, element("tr", {}, heads)), body);
+    const region = scroller(label2, whole);
+    window.addEventListener("beforeprint", () => {
+      const parts = paperParts(columns, Boolean(table.flag));
+      if (parts.length < 2) return;
+      region.replaceChildren(...parts.map((shown) => element(
+        "table",
+        {},
+        element("thead", {}, element("tr", {}, shown.map((entry) => columnHead(entry, nameOf(entry))))),
+        element("tbody", {}, rows(shown))
+      )));
+    });
+    window.addEventListener("afterprint", () => region.replaceChildren(whole));
+    return region;
   }
   function rowWords(table) {
     const there = rowCount(table);
