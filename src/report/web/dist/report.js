@@ -15502,12 +15502,14 @@ ${extraStyle}`
     x2.domain = [(left2 + right2) / 2 - unit4 * width, (left2 + right2) / 2 + unit4 * width];
     y2.domain = [(low + high) / 2 - unit4 * height, (low + high) / 2 + unit4 * height];
   }
-  function heightOf(isScores, yIsCategory, rows, width) {
+  var PAPER_HEIGHT = 175;
+  function heightOf(isScores, yIsCategory, rows, width, onPaper) {
+    if (yIsCategory && onPaper) return Math.max((rows > 8 ? 14 : 20) * rows + 76, PAPER_HEIGHT);
     if (yIsCategory) return 80 + Math.max((isScores || rows > 12 ? 20 : 34) * rows, 120);
-    return Math.round(Math.min(300, 170 + width / 6));
+    return onPaper ? PAPER_HEIGHT : Math.round(Math.min(300, 170 + width / 6));
   }
   var longest = (values2, most) => Math.max(0, ...values2.map((value2) => Math.min(String(value2).length, most)));
-  function drawChart(chart, tables, width) {
+  function drawChart(chart, tables, width, onPaper) {
     const groups = groupsOf(chart, tables);
     const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
     const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, groups, uprights.indexOf(mark)) }));
@@ -15539,7 +15541,7 @@ ${extraStyle}`
     const find2 = isMap || isScores || types.has("dots") ? pointer2 : pointerX;
     const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
     const ruleIsLast = rows.length > 0 && ruled("rule-x").some((value2) => rows.every((row2) => !(row2.x > value2)));
-    const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y2.domain?.length ?? 0, width);
+    const height = isPath ? Math.min(width - 12, onPaper ? 1.3 * PAPER_HEIGHT : 480) : heightOf(isScores, yIsCategory, y2.domain?.length ?? 0, width, onPaper);
     if (isPath) equalScales(x2, y2, rows, width - 80, height - 68);
     const svg = plot({
       width,
@@ -15561,7 +15563,9 @@ ${extraStyle}`
     nameParts(svg);
     lowerSubscripts(svg);
     const fills = isMap ? parts.flatMap((part) => part.mark.type === "cells" ? part.rows.map((row2) => row2.fill) : []).filter(Number.isFinite) : null;
-    return { svg, tall: yIsCategory && y2.domain.length > 15, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
+    const tall = yIsCategory && y2.domain.length > 15;
+    const wide = tall && longest(y2.domain.map(short), most) > 20 || xIsCategory && x2.domain.length > 18;
+    return { svg, tall, wide, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
   }
 
   // source/charts/key.js
@@ -15675,8 +15679,15 @@ ${extraStyle}`
 
   // source/charts/figure.js
   var PAPER = 380;
-  var PAPER_WIDE = 720;
+  var PAPER_WIDE = 780;
   var SVG4 = "http://www.w3.org/2000/svg";
+  function isAlone(node) {
+    const isWide = (other) => !other || other.classList.contains("wide");
+    if (isWide(node)) return true;
+    let place = 0;
+    for (let before = node.previousElementSibling; !isWide(before); before = before.previousElementSibling) ++place;
+    return place % 2 === 0 && isWide(node.nextElementSibling);
+  }
   function chartFigure(chart, tables, playback, level) {
     const place = element("div", { class: "drawing" });
     const below = element("div");
@@ -15689,6 +15700,7 @@ ${extraStyle}`
     );
     let drawn = null;
     let width = 0;
+    let onPaper = false;
     let cursor = null;
     const follow = () => {
       if (!cursor) return;
@@ -15710,10 +15722,11 @@ ${extraStyle}`
       follow();
     };
     const draw = () => {
-      drawn = drawChart(chart, tables, width);
+      drawn = drawChart(chart, tables, width, onPaper);
       drawn.svg.setAttribute("aria-describedby", caption.id);
       place.replaceChildren(drawn.svg);
       node.classList.toggle("tall", drawn.tall);
+      node.classList.toggle("wide", drawn.wide);
       const several = drawn.key.length > 1 || drawn.key.some((entry) => entry.shape === "triangle");
       below.replaceChildren(...[
         several ? keyList(drawn.key) : null,
@@ -15724,22 +15737,23 @@ ${extraStyle}`
     };
     new ResizeObserver(([entry]) => {
       const now = Math.max(280, Math.floor(entry.contentRect.width));
-      if (now === width || entry.contentRect.width === 0) return;
+      if (onPaper || now === width || entry.contentRect.width === 0) return;
       width = now;
       draw();
     }).observe(place);
     if (chart.cursor && playback) playback.onTime(follow);
-    const drawAt = (pixels) => {
-      if (!drawn) return;
-      width = pixels;
+    let onScreen = 0;
+    const drawFor = (paper) => {
+      if (!drawn || paper === onPaper) return;
+      const alone = isAlone(node) && !node.closest(".linked");
+      if (paper) onScreen = width;
+      width = !paper ? onScreen : alone ? PAPER_WIDE : PAPER;
+      onPaper = paper;
+      node.classList.toggle("alone", paper && alone);
       draw();
     };
-    let onScreen = 0;
-    window.addEventListener("beforeprint", () => {
-      onScreen = width;
-      drawAt(drawn?.tall ? PAPER_WIDE : PAPER);
-    });
-    window.addEventListener("afterprint", () => drawAt(onScreen));
+    window.addEventListener("beforeprint", () => drawFor(true));
+    window.addEventListener("afterprint", () => drawFor(false));
     const svg = () => {
       if (!drawn) {
         width = 720;
@@ -36488,7 +36502,7 @@ void main() {
     });
     const table = element(
       "table",
-      { class: "results" },
+      { class: "results compared" },
       element("thead", {}, element(
         "tr",
         {},
@@ -36531,7 +36545,7 @@ void main() {
   function memberList(members, level, render) {
     return section("The runs", level, members.map((member) => {
       const content = element("div", { class: "member" });
-      const details = element("details", {}, element(
+      const details = element("details", { class: "run" }, element(
         "summary",
         {},
         levelSign(worst(member.payload.verdict ?? [])),
