@@ -94,10 +94,15 @@ Data table_data(const PageTable& table) {
         columns.push_back(std::move(described));
     }
     const std::size_t shown = table.values.empty() ? 0 : table.values.front().size();
-    return {{"name", table.name},    {"title", table.title},
-            {"file", table.file},    {"rows", std::max<Index>(table.rows, static_cast<Index>(shown))},
-            {"shown", shown},        {"columns", columns},
-            {"values", table.values}};
+    Data data = {{"name", table.name},    {"title", table.title},
+                 {"file", table.file},    {"rows", std::max<Index>(table.rows, static_cast<Index>(shown))},
+                 {"shown", shown},        {"columns", columns},
+                 {"values", table.values}};
+    add_if(data, "flag", table.flag);
+    if (table.lead) {
+        data["lead"] = true;
+    }
+    return data;
 }
 
 Data quantity_data(const Quantity& quantity, const std::string& mark) {

@@ -21,6 +21,16 @@ TEST_CASE("numbers of tables have nine digits, what is not finite is null") {
     CHECK(data["columns"][2]["label"] == "name");
 }
 
+TEST_CASE("a table says whether it is open from the start, and which column marks rows") {
+    const PageTable plain{.name = "plain", .title = ""};
+    const PageTable leading{.name = "leading", .title = "", .lead = true, .flag = "suspect"};
+    const Data tables = page_data({.kind = "run", .title = "", .source = "", .tables = {plain, leading}}).at("tables");
+    CHECK_FALSE(tables[0].contains("lead"));
+    CHECK_FALSE(tables[0].contains("flag"));
+    CHECK(tables[1]["lead"] == true);
+    CHECK(tables[1]["flag"] == "suspect");
+}
+
 TEST_CASE("remarks on quantities become footnotes, equal ones a single one") {
     const std::vector<Quantity> quantities{{.name = "a", .value = 1.0, .error = 0.01, .remark = "short"},
                                            {.name = "b", .value = 2.0, .remark = "short"},

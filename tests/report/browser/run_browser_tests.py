@@ -2,12 +2,13 @@
 """Tests of the page that `ljmd report` writes, in a real browser.
 
     run_browser_tests.py --ljmd PROGRAM --work FOLDER [--short] the page in Chromium; --short: of one run, on a screen
+    run_browser_tests.py --ljmd PROGRAM --work FOLDER --print   pages on paper: how many sheets, and how much of them is white
     run_browser_tests.py --bundle --work FOLDER                 the committed bundle is what its sources give
 
 Runs are made by the program, and their pages by `ljmd report`; kinds that take long to compute (sweeps, reproductions,
-comparisons) are shown from made payloads. The checks are in page_test.mjs.
+comparisons) are shown from made payloads. The checks are in page_test.mjs, those of paper here.
 
-Needs chromium, nodejs and npm, and at the first call in a build folder the network, for `npm ci` from the lock file in
+Needs chromium, nodejs and npm, for paper also pdftoppm, and at the first call in a build folder the network, for `npm ci` from the lock file in
 src/report/web. Exit codes: 0 all is well, 1 it is not, 77 something is missing here (1 with LJMD_REQUIRE_PEERS=1 in the
 environment).
 """
@@ -68,6 +69,22 @@ trajectory = {{ format = "h5md", every = 100, velocities = true }}
 [analysis]
 rdf = {{ bins = 100, every = 50 }}
 """
+
+MANY_ANALYSES = FLUID + """structure_factor = {{ every = 50 }}
+msd = {{}}
+vacf = {{ max_time = 1.0 }}
+viscosity = {{ max_time = 0.5 }}
+van_hove = {{}}
+van_hove_distinct = {{}}
+"""
+
+# Sheets of A4 and of US letter that a page takes at most. A run of many analyses takes 4 and 5; the others may be as long
+# as is said here, or have the room of a row of charts left.
+SHEETS = {"fluid": 6, "bodies": 2, "sweep": 3, "reproduction": 3, "comparison": 1}
+# White at the end of a sheet that is not the last, of the height between the margins: a row of charts with the heading
+# above it may be left over (0.2 and 0.05), and 0.03 is for fonts.
+MOST_WHITE = 0.28
+MARGIN = 12  # mm
 
 
 class Missing(Exception):
@@ -171,17 +188,71 @@ def check_pages(program: str, work: Path, short: bool) -> int:
                           timeout=waiting.PATIENCE).returncode
 
 
+def white_ends(pdf: Path) -> list[float]:
+    """The white part at the end of each sheet, of the height between the margins."""
+    pictures = pdf.parent / f"{pdf.stem}-sheets"
+    shutil.rmtree(pictures, ignore_errors=True)
+    pictures.mkdir()
+    subprocess.run([tool("pdftoppm"), "-gray", "-r", "40", str(pdf), str(pictures / "sheet")], check=True,
+                   timeout=waiting.PATIENCE)
+    ends = []
+    for picture in sorted(pictures.iterdir()):
+        _, size, _, pixels = picture.read_bytes().split(b"\n", 3)
+        width, height = map(int, size.split())
+        margin = round(MARGIN / 25.4 * 40)
+        inked = [row for row in range(height) if min(pixels[row * width:(row + 1) * width]) < 250]
+        ends.append(max(0.0, 1.0 - (max(inked, default=margin) - margin) / (height - 2 * margin)))
+    return ends
+
+
+def check_paper(program: str, work: Path) -> int:
+    tool("pdftoppm")
+    browser = os.environ.get("LJMD_CHROMIUM") or tool("chromium", "chromium-browser", "google-chrome")
+    home = install(work)
+    folder = work / "paper"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name, text in {"fluid": MANY_ANALYSES, "deck": FLUID}.items():
+        (folder / f"{name}.toml").write_text(text.format(title=json.dumps("Argon"), seed=1), encoding="utf-8")
+    deck, small = str(folder / "deck.toml"), ["--set", "stage.melt.steps=100", "--set", "stage.production.steps=200"]
+    run(program, "run", str(folder / "fluid.toml"), "--out", str(folder / "fluid"))
+    run(program, "run", str(HERE.parents[2] / "inputs/fewbody/figure-eight.toml"), "--out", str(folder / "bodies"))
+    run(program, "sweep", deck, *small, "--grid", "system.density=0.6|0.8,system.temperature=1|2", "--out",
+        str(folder / "sweep"))
+    pages = []
+    for name in ("fluid", "bodies", "sweep"):
+        payload = folder / f"{name}.json"
+        payload.write_text(run(program, "report", str(folder / name), "--json"), encoding="utf-8")
+        pages.append({"name": name, "payload": str(payload)})
+    plan = {"browser": browser, "packages": str(home / "node_modules"), "folder": str(folder), "pages": pages}
+    (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    failed = subprocess.run([tool("node", "nodejs"), str(HERE / "print_test.mjs"), str(folder / "plan.json")],
+                            check=False, timeout=waiting.PATIENCE).returncode
+    for name, most in SHEETS.items():
+        for size in ("A4", "Letter"):
+            ends = white_ends(folder / f"{name}-{size}.pdf")
+            worst = max(ends[:-1], default=0.0)
+            sound = len(ends) <= most and worst <= MOST_WHITE
+            failed += not sound
+            print(f"{'  ok' if sound else 'FAIL'} {name} on {size}: {len(ends)} sheets (at most {most}), white at their ends "
+                  f"{' '.join(f'{end:.2f}' for end in ends)} (at most {MOST_WHITE} but on the last)")
+    return 1 if failed else 0
+
+
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd")
     parser.add_argument("--work", required=True, type=Path)
     parser.add_argument("--bundle", action="store_true")
     parser.add_argument("--short", action="store_true")
+    parser.add_argument("--print", action="store_true")
     arguments = parser.parse_args()
     work = arguments.work.resolve()
     try:
-        return check_bundle(work) if arguments.bundle else check_pages(
-            str(Path(arguments.ljmd).resolve()), work, arguments.short)
+        if arguments.bundle:
+            return check_bundle(work)
+        program = str(Path(arguments.ljmd).resolve())
+        return check_paper(program, work) if arguments.print else check_pages(program, work, arguments.short)
     except Missing as missing:
         required = os.environ.get("LJMD_REQUIRE_PEERS") == "1"
         print(f"{'FAIL, as LJMD_REQUIRE_PEERS=1' if required else 'skipped'}: {missing}")

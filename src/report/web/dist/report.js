@@ -15259,8 +15259,8 @@ ${extraStyle}`
   function role(place) {
     return `var(--role-${(place % ROLES + ROLES) % ROLES})`;
   }
-  function roleNow(place) {
-    return getComputedStyle(document.documentElement).getPropertyValue(`--role-${place % ROLES}`).trim();
+  function roleNow(place, node = document.documentElement) {
+    return getComputedStyle(node).getPropertyValue(`--role-${place % ROLES}`).trim();
   }
   var VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"].map((hex2) => [0, 2, 4].map((place) => parseInt(hex2.slice(place, place + 2), 16)));
   function viridis2(at) {
@@ -15502,12 +15502,14 @@ ${extraStyle}`
     x2.domain = [(left2 + right2) / 2 - unit4 * width, (left2 + right2) / 2 + unit4 * width];
     y2.domain = [(low + high) / 2 - unit4 * height, (low + high) / 2 + unit4 * height];
   }
-  function heightOf(isScores, yIsCategory, rows, width) {
+  var PAPER_HEIGHT = 175;
+  function heightOf(isScores, yIsCategory, rows, width, onPaper) {
+    if (yIsCategory && onPaper) return Math.max((rows > 8 ? 14 : 20) * rows + 76, PAPER_HEIGHT);
     if (yIsCategory) return 80 + Math.max((isScores || rows > 12 ? 20 : 34) * rows, 120);
-    return Math.round(Math.min(300, 170 + width / 6));
+    return onPaper ? PAPER_HEIGHT : Math.round(Math.min(300, 170 + width / 6));
   }
   var longest = (values2, most) => Math.max(0, ...values2.map((value2) => Math.min(String(value2).length, most)));
-  function drawChart(chart, tables, width) {
+  function drawChart(chart, tables, width, onPaper) {
     const groups = groupsOf(chart, tables);
     const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
     const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, groups, uprights.indexOf(mark)) }));
@@ -15539,7 +15541,7 @@ ${extraStyle}`
     const find2 = isMap || isScores || types.has("dots") ? pointer2 : pointerX;
     const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
     const ruleIsLast = rows.length > 0 && ruled("rule-x").some((value2) => rows.every((row2) => !(row2.x > value2)));
-    const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y2.domain?.length ?? 0, width);
+    const height = isPath ? Math.min(width - 12, onPaper ? 1.3 * PAPER_HEIGHT : 480) : heightOf(isScores, yIsCategory, y2.domain?.length ?? 0, width, onPaper);
     if (isPath) equalScales(x2, y2, rows, width - 80, height - 68);
     const svg = plot({
       width,
@@ -15561,7 +15563,9 @@ ${extraStyle}`
     nameParts(svg);
     lowerSubscripts(svg);
     const fills = isMap ? parts.flatMap((part) => part.mark.type === "cells" ? part.rows.map((row2) => row2.fill) : []).filter(Number.isFinite) : null;
-    return { svg, tall: yIsCategory && y2.domain.length > 15, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
+    const tall = yIsCategory && y2.domain.length > 15;
+    const wide = tall && longest(y2.domain.map(short), most) > 20 || xIsCategory && x2.domain.length > 18;
+    return { svg, tall, wide, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
   }
 
   // source/charts/key.js
@@ -15675,8 +15679,15 @@ ${extraStyle}`
 
   // source/charts/figure.js
   var PAPER = 380;
-  var PAPER_WIDE = 720;
+  var PAPER_WIDE = 780;
   var SVG4 = "http://www.w3.org/2000/svg";
+  function isAlone(node) {
+    const isWide = (other) => !other || other.classList.contains("wide");
+    if (isWide(node)) return true;
+    let place = 0;
+    for (let before = node.previousElementSibling; !isWide(before); before = before.previousElementSibling) ++place;
+    return place % 2 === 0 && isWide(node.nextElementSibling);
+  }
   function chartFigure(chart, tables, playback, level) {
     const place = element("div", { class: "drawing" });
     const below = element("div");
@@ -15689,6 +15700,7 @@ ${extraStyle}`
     );
     let drawn = null;
     let width = 0;
+    let onPaper = false;
     let cursor = null;
     const follow = () => {
       if (!cursor) return;
@@ -15710,10 +15722,11 @@ ${extraStyle}`
       follow();
     };
     const draw = () => {
-      drawn = drawChart(chart, tables, width);
+      drawn = drawChart(chart, tables, width, onPaper);
       drawn.svg.setAttribute("aria-describedby", caption.id);
       place.replaceChildren(drawn.svg);
       node.classList.toggle("tall", drawn.tall);
+      node.classList.toggle("wide", drawn.wide);
       const several = drawn.key.length > 1 || drawn.key.some((entry) => entry.shape === "triangle");
       below.replaceChildren(...[
         several ? keyList(drawn.key) : null,
@@ -15724,22 +15737,23 @@ ${extraStyle}`
     };
     new ResizeObserver(([entry]) => {
       const now = Math.max(280, Math.floor(entry.contentRect.width));
-      if (now === width || entry.contentRect.width === 0) return;
+      if (onPaper || now === width || entry.contentRect.width === 0) return;
       width = now;
       draw();
     }).observe(place);
     if (chart.cursor && playback) playback.onTime(follow);
-    const drawAt = (pixels) => {
-      if (!drawn) return;
-      width = pixels;
+    let onScreen = 0;
+    const drawFor = (paper) => {
+      if (!drawn || paper === onPaper) return;
+      const alone = isAlone(node) && !node.closest(".linked");
+      if (paper) onScreen = width;
+      width = !paper ? onScreen : alone ? PAPER_WIDE : PAPER;
+      onPaper = paper;
+      node.classList.toggle("alone", paper && alone);
       draw();
     };
-    let onScreen = 0;
-    window.addEventListener("beforeprint", () => {
-      onScreen = width;
-      drawAt(drawn?.tall ? PAPER_WIDE : PAPER);
-    });
-    window.addEventListener("afterprint", () => drawAt(onScreen));
+    window.addEventListener("beforeprint", () => drawFor(true));
+    window.addEventListener("afterprint", () => drawFor(false));
     const svg = () => {
       if (!drawn) {
         width = 720;
@@ -36124,8 +36138,11 @@ void main() {
         "aria-label": `Tracks of ${title}. Arrow keys turn, plus and minus zoom, 0 resets.`
       }, this.canvas);
       this.playback = new Playback(this.frames, data.times ?? [], pretty(data.time_unit ?? ""), 20);
-      const print = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
-      window.addEventListener("beforeprint", () => this.paint(print, 1.5, { ground: "#ffffff", ink: "#1a1d21" }));
+      const print = element("canvas", { class: "print-only always-light", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
+      window.addEventListener("beforeprint", () => {
+        this.paint(print, 3, { ground: "#ffffff", ink: "#1a1d21" });
+        print.getContext("2d").drawImage(print, 0, 0);
+      });
       this.node = element(
         "div",
         { class: "viewer" },
@@ -36196,7 +36213,7 @@ void main() {
       pen.fillRect(0, 0, canvas.width, canvas.height);
       pen.lineJoin = pen.lineCap = "round";
       this.bodies.forEach((_, body) => {
-        pen.strokeStyle = roleNow(body % ROLES);
+        pen.strokeStyle = roleNow(body % ROLES, canvas);
         pen.globalAlpha = 0.3;
         pen.lineWidth = ratio;
         this.line(pen, project2, body, 0, this.frames - 1);
@@ -36208,15 +36225,16 @@ void main() {
         }
         pen.globalAlpha = 1;
       });
-      this.bodiesNow(pen, (body) => project2(now, body), ratio, ink, ground);
+      this.bodiesNow(canvas, (body) => project2(now, body), ratio, ink, ground);
     }
-    bodiesNow(pen, project2, ratio, ink, ground) {
+    bodiesNow(canvas, project2, ratio, ink, ground) {
+      const pen = canvas.getContext("2d");
       const heaviest = Math.max(...this.bodies.map((body) => body.mass ?? 1)) || 1;
       pen.font = `600 ${13 * ratio}px system-ui, sans-serif`;
       const drawn = this.bodies.map((body, place) => ({ body, place, at: project2(place) })).sort((a2, b) => b.at[2] - a2.at[2]);
       for (const { body, place, at: [x2, y2] } of drawn) {
         const size = ratio * (4.5 + 6.5 * Math.cbrt((body.mass ?? 1) / heaviest));
-        const colour = roleNow(place % ROLES);
+        const colour = roleNow(place % ROLES, canvas);
         const shade = pen.createRadialGradient(x2 - 0.35 * size, y2 - 0.4 * size, 0.1 * size, x2, y2, size);
         shade.addColorStop(0, `color-mix(in srgb, ${colour} 45%, white)`);
         shade.addColorStop(0.55, colour);
@@ -36484,7 +36502,7 @@ void main() {
     });
     const table = element(
       "table",
-      { class: "results" },
+      { class: "results compared" },
       element("thead", {}, element(
         "tr",
         {},
@@ -36527,7 +36545,7 @@ void main() {
   function memberList(members, level, render) {
     return section("The runs", level, members.map((member) => {
       const content = element("div", { class: "member" });
-      const details = element("details", {}, element(
+      const details = element("details", { class: "run" }, element(
         "summary",
         {},
         levelSign(worst(member.payload.verdict ?? [])),
@@ -36589,30 +36607,53 @@ void main() {
     if (b === null || b === void 0) return -1;
     return typeof a2 === "string" ? a2.localeCompare(String(b), "en", { numeric: true }) : a2 - b;
   }
+  var columnHead = (entry, ...content) => element("th", { scope: "col", class: entry.values.some((value2) => typeof value2 === "string") ? "text" : null }, content);
+  var nameOf = (entry) => [
+    withSubscripts(entry.label || entry.name),
+    entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null
+  ];
+  var PAPER_LETTERS = 100;
+  var BETWEEN = 2;
+  function letters(entry) {
+    const texts = entry.values.map((_, row2) => cell2(entry, row2)).map((shown) => typeof shown === "string" ? shown : shown.textContent);
+    const words2 = [String(entry.label || entry.name), ...texts].flatMap((text3) => text3.split(/\s+/));
+    return BETWEEN + Math.max(...words2.map((word) => word.length), ...texts.map((text3) => Math.min(24, text3.length)));
+  }
+  function paperParts(columns, hasFlags) {
+    const measured = columns.findIndex((entry) => entry.errors);
+    const names = columns.slice(0, Math.min(2, Math.max(1, measured)));
+    const room = PAPER_LETTERS - (hasFlags ? 12 : 0) - names.reduce((sum2, entry) => sum2 + letters(entry), 0);
+    const parts = [];
+    let left2 = -1;
+    for (const entry of columns.slice(names.length)) {
+      const needed = letters(entry);
+      left2 -= needed;
+      if (left2 < 0) {
+        parts.push([...names]);
+        left2 = room - needed;
+      }
+      parts.at(-1).push(entry);
+    }
+    return parts;
+  }
   function grid(table, label2) {
     const columns = shownColumns(table);
     const flags = table.flag ? column2(table, table.flag) : [];
     const order = Array.from({ length: rowCount(table) }, (_, row2) => row2);
     const body = element("tbody");
-    const fill = () => {
-      body.replaceChildren(...order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row2) => element("tr", { class: flags[row2] ? "suspect" : null }, columns.map((entry, place) => {
-        const text3 = typeof entry.values[row2] === "string";
-        return element(
-          "td",
-          { class: text3 ? "text" : null },
-          cell2(entry, row2),
-          place === 0 && flags[row2] ? element("span", { class: "flag" }, "suspect") : null
-        );
-      }))));
-    };
-    const heads = columns.map((entry) => {
-      const head = element("th", { scope: "col", class: entry.values.some((value2) => typeof value2 === "string") ? "text" : null });
-      const button = element(
-        "button",
-        { type: "button", class: "sort" },
-        withSubscripts(entry.label || entry.name),
-        entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null
+    const rows = (shown) => order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row2) => element("tr", { class: flags[row2] ? "suspect" : null }, shown.map((entry, place) => {
+      const text3 = typeof entry.values[row2] === "string";
+      return element(
+        "td",
+        { class: text3 ? "text" : null },
+        cell2(entry, row2),
+        place === 0 && flags[row2] ? element("span", { class: "flag" }, "suspect") : null
       );
+    })));
+    const fill = () => body.replaceChildren(...rows(columns));
+    const heads = columns.map((entry) => {
+      const head = columnHead(entry);
+      const button = element("button", { type: "button", class: "sort" }, nameOf(entry));
       button.addEventListener("click", () => {
         const down = head.getAttribute("aria-sort") === "ascending";
         heads.forEach((other) => other.removeAttribute("aria-sort"));
@@ -36624,7 +36665,20 @@ void main() {
       return head;
     });
     fill();
-    return scroller(label2, element("table", {}, element("thead", {}, element("tr", {}, heads)), body));
+    const whole = element("table", {}, element("thead", {}, element("tr", {}, heads)), body);
+    const region = scroller(label2, whole);
+    window.addEventListener("beforeprint", () => {
+      const parts = paperParts(columns, Boolean(table.flag));
+      if (parts.length < 2) return;
+      region.replaceChildren(...parts.map((shown) => element(
+        "table",
+        {},
+        element("thead", {}, element("tr", {}, shown.map((entry) => columnHead(entry, nameOf(entry))))),
+        element("tbody", {}, rows(shown))
+      )));
+    });
+    window.addEventListener("afterprint", () => region.replaceChildren(whole));
+    return region;
   }
   function rowWords(table) {
     const there = rowCount(table);

@@ -8,9 +8,9 @@ export function role(place) {
     return `var(--role-${((place % ROLES) + ROLES) % ROLES})`;
 }
 
-/** The colour of a role as the page shows it now, for canvases. */
-export function roleNow(place) {
-    return getComputedStyle(document.documentElement).getPropertyValue(`--role-${place % ROLES}`).trim();
+/** The colour of a role as an element shows it now, for canvases. */
+export function roleNow(place, node = document.documentElement) {
+    return getComputedStyle(node).getPropertyValue(`--role-${place % ROLES}`).trim();
 }
 
 const VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"]

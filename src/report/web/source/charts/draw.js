@@ -79,9 +79,13 @@ function equalScales(x, y, rows, width, height) {
     y.domain = [(low + high) / 2 - unit * height, (low + high) / 2 + unit * height];
 }
 
-function heightOf(isScores, yIsCategory, rows, width) {
+// On paper charts are low, so that what does not fit on a sheet leaves little of it white.
+const PAPER_HEIGHT = 175;
+
+function heightOf(isScores, yIsCategory, rows, width, onPaper) {
+    if (yIsCategory && onPaper) return Math.max((rows > 8 ? 14 : 20) * rows + 76, PAPER_HEIGHT);
     if (yIsCategory) return 80 + Math.max((isScores || rows > 12 ? 20 : 34) * rows, 120);
-    return Math.round(Math.min(300, 170 + width / 6));
+    return onPaper ? PAPER_HEIGHT : Math.round(Math.min(300, 170 + width / 6));
 }
 
 const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(String(value).length, most)));
@@ -90,9 +94,11 @@ const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(
  * @param {object} chart of the payload
  * @param {Map<string, object>} tables by name
  * @param {number} width in pixels
- * @returns {{svg: SVGSVGElement, key: object[], fills: number[]|null, xScale: object}}
+ * @param {boolean} onPaper
+ * @returns {{svg: SVGSVGElement, tall: boolean, wide: boolean, key: object[], fills: number[]|null, xScale: object}} tall: it has a
+ *     row for itself on the screen; wide: on paper
  */
-export function drawChart(chart, tables, width) {
+export function drawChart(chart, tables, width, onPaper) {
     const groups = groupsOf(chart, tables);
     const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
     const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, groups, uprights.indexOf(mark)) }));
@@ -127,7 +133,7 @@ export function drawChart(chart, tables, width) {
     const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
     // The name of an upright rule behind all points stands in the margin.
     const ruleIsLast = rows.length > 0 && ruled("rule-x").some((value) => rows.every((row) => !(row.x > value)));
-    const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width);
+    const height = isPath ? Math.min(width - 12, onPaper ? 1.3 * PAPER_HEIGHT : 480) : heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width, onPaper);
     if (isPath) equalScales(x, y, rows, width - 80, height - 68);
     const svg = Plot.plot({
         width,
@@ -147,5 +153,7 @@ export function drawChart(chart, tables, width) {
     nameParts(svg);
     lowerSubscripts(svg);
     const fills = isMap ? parts.flatMap((part) => (part.mark.type === "cells" ? part.rows.map((row) => row.fill) : [])).filter(Number.isFinite) : null;
-    return { svg, tall: yIsCategory && y.domain.length > 15, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
+    const tall = yIsCategory && y.domain.length > 15;
+    const wide = (tall && longest(y.domain.map(short), most) > 20) || (xIsCategory && x.domain.length > 18);
+    return { svg, tall, wide, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
 }

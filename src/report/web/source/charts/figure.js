@@ -6,10 +6,19 @@ import { drawChart } from "./draw.js";
 import { svgText } from "./export.js";
 import { keyList, ramp } from "./key.js";
 
-// Widths on paper, in pixels: two charts side by side, and one alone.
+// Widths on paper, in pixels: two charts side by side, and one alone in its row.
 const PAPER = 380;
-const PAPER_WIDE = 720;
+const PAPER_WIDE = 780;
 const SVG = "http://www.w3.org/2000/svg";
+
+/** Whether a chart has a row of two for itself on paper: a wide one, and one that is left over before it or at the end. */
+function isAlone(node) {
+    const isWide = (other) => !other || other.classList.contains("wide");
+    if (isWide(node)) return true;
+    let place = 0;
+    for (let before = node.previousElementSibling; !isWide(before); before = before.previousElementSibling) ++place;
+    return place % 2 === 0 && isWide(node.nextElementSibling);
+}
 
 /**
  * @param {object} chart
@@ -27,6 +36,7 @@ export function chartFigure(chart, tables, playback, level) {
         chart.note ? element("span", { class: "note" }, " ", pretty(chart.note)) : null);
     let drawn = null;
     let width = 0;
+    let onPaper = false;
     let cursor = null;
 
     const follow = () => {
@@ -50,10 +60,11 @@ export function chartFigure(chart, tables, playback, level) {
         follow();
     };
     const draw = () => {
-        drawn = drawChart(chart, tables, width);
+        drawn = drawChart(chart, tables, width, onPaper);
         drawn.svg.setAttribute("aria-describedby", caption.id);
         place.replaceChildren(drawn.svg);
         node.classList.toggle("tall", drawn.tall);
+        node.classList.toggle("wide", drawn.wide);
         const several = drawn.key.length > 1 || drawn.key.some((entry) => entry.shape === "triangle");
         below.replaceChildren(...[several ? keyList(drawn.key) : null,
             drawn.fills?.length > 0 ? ramp(Math.min(...drawn.fills), Math.max(...drawn.fills), pretty(chart.fill_label ?? "")) : null].filter(Boolean));
@@ -62,24 +73,25 @@ export function chartFigure(chart, tables, playback, level) {
     };
     new ResizeObserver(([entry]) => {
         const now = Math.max(280, Math.floor(entry.contentRect.width));
-        if (now === width || entry.contentRect.width === 0) return;
+        if (onPaper || now === width || entry.contentRect.width === 0) return;
         width = now;
         draw();
     }).observe(place);
     if (chart.cursor && playback) playback.onTime(follow);
 
     // On paper charts are narrower than on the screen; drawn for that width, their letters keep their size.
-    const drawAt = (pixels) => {
-        if (!drawn) return;
-        width = pixels;
+    let onScreen = 0;
+    const drawFor = (paper) => {
+        if (!drawn || paper === onPaper) return;
+        const alone = isAlone(node) && !node.closest(".linked");
+        if (paper) onScreen = width;
+        width = !paper ? onScreen : alone ? PAPER_WIDE : PAPER;
+        onPaper = paper;
+        node.classList.toggle("alone", paper && alone);
         draw();
     };
-    let onScreen = 0;
-    window.addEventListener("beforeprint", () => {
-        onScreen = width;
-        drawAt(drawn?.tall ? PAPER_WIDE : PAPER);
-    });
-    window.addEventListener("afterprint", () => drawAt(onScreen));
+    window.addEventListener("beforeprint", () => drawFor(true));
+    window.addEventListener("afterprint", () => drawFor(false));
 
     const svg = () => {
         if (!drawn) {

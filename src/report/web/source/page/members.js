@@ -32,7 +32,7 @@ export function comparedSection(members, level) {
             element("th", { scope: "row" }, name.replaceAll("_", " "), " ", any.unit && any.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(any.unit)) : null),
             entries.map((entry, place) => comparedCell(entry, entries[0], place === 0)));
     });
-    const table = element("table", { class: "results" },
+    const table = element("table", { class: "results compared" },
         element("thead", {}, element("tr", {}, element("th", { scope: "col" }, "Quantity"),
             members.map((member) => element("th", { scope: "col" }, element("bdi", {}, member.label))))),
         element("tbody", {}, rows));
@@ -79,7 +79,7 @@ export function overlaidCharts(members, there) {
 export function memberList(members, level, render) {
     return section("The runs", level, members.map((member) => {
         const content = element("div", { class: "member" });
-        const details = element("details", {}, element("summary", {}, levelSign(worst(member.payload.verdict ?? [])), " ",
+        const details = element("details", { class: "run" }, element("summary", {}, levelSign(worst(member.payload.verdict ?? [])), " ",
             element("strong", {}, element("bdi", {}, member.label)), " ", element("bdi", {}, member.payload.title ?? "")), content);
         details.addEventListener("toggle", () => {
             if (details.open && !content.hasChildNodes()) content.append(...render(member.payload));

@@ -27,24 +27,55 @@ function compare(a, b) {
     return typeof a === "string" ? a.localeCompare(String(b), "en", { numeric: true }) : a - b;
 }
 
+const columnHead = (entry, ...content) => element("th", { scope: "col", class: entry.values.some((value) => typeof value === "string") ? "text" : null }, content);
+const nameOf = (entry) => [withSubscripts(entry.label || entry.name),
+    entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null];
+
+// About so many letters fit side by side on a sheet, and a column needs so many more.
+const PAPER_LETTERS = 100;
+const BETWEEN = 2;
+
+function letters(entry) {
+    const texts = entry.values.map((_, row) => cell(entry, row)).map((shown) => (typeof shown === "string" ? shown : shown.textContent));
+    const words = [String(entry.label || entry.name), ...texts].flatMap((text) => text.split(/\s+/));
+    return BETWEEN + Math.max(...words.map((word) => word.length), ...texts.map((text) => Math.min(24, text.length)));
+}
+
+/** Paper cannot be scrolled sideways: a table that is wider is printed in parts, which begin with the same columns. */
+function paperParts(columns, hasFlags) {
+    const measured = columns.findIndex((entry) => entry.errors);
+    const names = columns.slice(0, Math.min(2, Math.max(1, measured)));
+    const room = PAPER_LETTERS - (hasFlags ? 12 : 0) - names.reduce((sum, entry) => sum + letters(entry), 0);
+    const parts = [];
+    let left = -1;
+    for (const entry of columns.slice(names.length)) {
+        const needed = letters(entry);
+        left -= needed;
+        if (left < 0) {
+            parts.push([...names]);
+            left = room - needed;
+        }
+        parts.at(-1).push(entry);
+    }
+    return parts;
+}
+
 /** The grid alone, without heading. */
 export function grid(table, label) {
     const columns = shownColumns(table);
     const flags = table.flag ? column(table, table.flag) : [];
     const order = Array.from({ length: rowCount(table) }, (_, row) => row);
     const body = element("tbody");
-    const fill = () => {
-        body.replaceChildren(...order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row) =>
-            element("tr", { class: flags[row] ? "suspect" : null }, columns.map((entry, place) => {
-                const text = typeof entry.values[row] === "string";
-                return element("td", { class: text ? "text" : null }, cell(entry, row),
-                    place === 0 && flags[row] ? element("span", { class: "flag" }, "suspect") : null);
-            }))));
-    };
+    const rows = (shown) => order.slice(0, table.lead ? order.length : FIRST_ROWS).map((row) =>
+        element("tr", { class: flags[row] ? "suspect" : null }, shown.map((entry, place) => {
+            const text = typeof entry.values[row] === "string";
+            return element("td", { class: text ? "text" : null }, cell(entry, row),
+                place === 0 && flags[row] ? element("span", { class: "flag" }, "suspect") : null);
+        })));
+    const fill = () => body.replaceChildren(...rows(columns));
     const heads = columns.map((entry) => {
-        const head = element("th", { scope: "col", class: entry.values.some((value) => typeof value === "string") ? "text" : null });
-        const button = element("button", { type: "button", class: "sort" }, withSubscripts(entry.label || entry.name),
-            entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null);
+        const head = columnHead(entry);
+        const button = element("button", { type: "button", class: "sort" }, nameOf(entry));
         button.addEventListener("click", () => {
             const down = head.getAttribute("aria-sort") === "ascending";
             heads.forEach((other) => other.removeAttribute("aria-sort"));
@@ -56,7 +87,17 @@ export function grid(table, label) {
         return head;
     });
     fill();
-    return scroller(label, element("table", {}, element("thead", {}, element("tr", {}, heads)), body));
+    const whole = element("table", {}, element("thead", {}, element("tr", {}, heads)), body);
+    const region = scroller(label, whole);
+    window.addEventListener("beforeprint", () => {
+        const parts = paperParts(columns, Boolean(table.flag));
+        if (parts.length < 2) return;
+        region.replaceChildren(...parts.map((shown) => element("table", {},
+            element("thead", {}, element("tr", {}, shown.map((entry) => columnHead(entry, nameOf(entry))))),
+            element("tbody", {}, rows(shown)))));
+    });
+    window.addEventListener("afterprint", () => region.replaceChildren(whole));
+    return region;
 }
 
 function rowWords(table) {

@@ -38,8 +38,12 @@ export class TrackViewer {
             "aria-label": `Tracks of ${title}. Arrow keys turn, plus and minus zoom, 0 resets.`,
         }, this.canvas);
         this.playback = new Playback(this.frames, data.times ?? [], pretty(data.time_unit ?? ""), 20);
-        const print = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
-        window.addEventListener("beforeprint", () => this.paint(print, 1.5, { ground: "#ffffff", ink: "#1a1d21" }));
+        const print = element("canvas", { class: "print-only always-light", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
+        window.addEventListener("beforeprint", () => {
+            this.paint(print, 3, { ground: "#ffffff", ink: "#1a1d21" });
+            // Chromium prints a canvas as strokes, and shaded discs see-through; its dots, drawn over them, are solid.
+            print.getContext("2d").drawImage(print, 0, 0);
+        });
         this.node = element("div", { class: "viewer" }, element("div", { class: "stage-frame" }, this.stage), print, this.playback.node,
             element("div", { class: "controls" },
                 element("button", { type: "button", class: "small", onclick: () => { this.camera.reset(); this.redraw(); } }, "Reset view"),
@@ -101,7 +105,7 @@ export class TrackViewer {
         pen.fillRect(0, 0, canvas.width, canvas.height);
         pen.lineJoin = pen.lineCap = "round";
         this.bodies.forEach((_, body) => {
-            pen.strokeStyle = roleNow(body % ROLES);
+            pen.strokeStyle = roleNow(body % ROLES, canvas);
             pen.globalAlpha = 0.3;
             pen.lineWidth = ratio;
             this.line(pen, project, body, 0, this.frames - 1);
@@ -113,16 +117,17 @@ export class TrackViewer {
             }
             pen.globalAlpha = 1;
         });
-        this.bodiesNow(pen, (body) => project(now, body), ratio, ink, ground);
+        this.bodiesNow(canvas, (body) => project(now, body), ratio, ink, ground);
     }
 
-    bodiesNow(pen, project, ratio, ink, ground) {
+    bodiesNow(canvas, project, ratio, ink, ground) {
+        const pen = canvas.getContext("2d");
         const heaviest = Math.max(...this.bodies.map((body) => body.mass ?? 1)) || 1;
         pen.font = `600 ${13 * ratio}px system-ui, sans-serif`;
         const drawn = this.bodies.map((body, place) => ({ body, place, at: project(place) })).sort((a, b) => b.at[2] - a.at[2]);
         for (const { body, place, at: [x, y] } of drawn) {
             const size = ratio * (4.5 + 6.5 * Math.cbrt((body.mass ?? 1) / heaviest));
-            const colour = roleNow(place % ROLES);
+            const colour = roleNow(place % ROLES, canvas);
             const shade = pen.createRadialGradient(x - 0.35 * size, y - 0.4 * size, 0.1 * size, x, y, size);
             shade.addColorStop(0, `color-mix(in srgb, ${colour} 45%, white)`);
             shade.addColorStop(0.55, colour);
