@@ -160,7 +160,7 @@ def panel_caption(run: FluidRun, name: str) -> str:
         parts.append(rf"$\langle {symbol} \rangle$ = {mean}")
     if name == "total_energy":
         drifts = [stage.energy_drift for stage in run.stages if stage.sampled and stage.energy_drift is not None]
-        parts += [rf"drift {drift:.1e} $\epsilon/\tau$" for drift in drifts]
+        parts += [rf"conserved energy drifts by {drift:.1e} $\epsilon/\tau$" for drift in drifts]
     return ",  ".join(parts)
 
 

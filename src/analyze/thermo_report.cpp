@@ -140,7 +140,7 @@ class RowAverages {
         }
         const Deck& deck = run_.deck;
         RunAverages averages(atoms_.value_or(2), sampled_ensemble(deck.stages(), !deck.given.external.empty()), false,
-                             exchange_steps(deck.stages()) / static_cast<double>(deck.sample_every()));
+                             sampled_baths(deck.stages(), deck.sample_every()));
         std::for_each(rows_.begin() + start, rows_.end(), [&](const Thermodynamics& row) { averages.add(row); });
         std::vector<ObservableAverage> found = averages.averages();
         if (run_.finished) {
@@ -336,7 +336,13 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     if (const auto capacity = averages.heat_capacity()) {
         report.of_fluctuations.push_back(*capacity);
     }
-    std::ranges::move(responses(table, run.deck), std::back_inserter(report.of_fluctuations));
+    std::vector<ObservableAverage> of_fluctuations = responses(table, run.deck);
+    if (has_column(table, "density")) {  // which a barostat changes
+        of_fluctuations.push_back(averages.of("density", 0));
+        withhold_slow_responses(of_fluctuations);
+        of_fluctuations.pop_back();
+    }
+    std::ranges::move(of_fluctuations, std::back_inserter(report.of_fluctuations));
     const std::vector<std::string> names = reported_columns(table);
     std::vector<std::vector<double>> series;
     std::ranges::transform(names, std::back_inserter(series),

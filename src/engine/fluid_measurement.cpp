@@ -16,6 +16,7 @@
 #include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/observables/interface/film.hpp"
+#include "ljmd/observables/response/response_functions.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 
@@ -38,8 +39,7 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       outputs_(outputs),
       sample_every_(spec.sample_every),
       averages_(fluid.state.total(), sampled_ensemble(spec.stages, spec.external != nullptr),
-                spec.external && spec.external->has_energy(),
-                exchange_steps(spec.stages) / static_cast<double>(spec.sample_every)),
+                spec.external && spec.external->has_energy(), sampled_baths(spec.stages, spec.sample_every)),
       too_near_(spec.potential),
       analysed_edges_(fluid.state.box().edges()) {
     for (Observer* observer : observers) {
@@ -359,6 +359,7 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
     }
     mark_slow_exchange(result.averages);
+    withhold_slow_responses(result.averages);
     if (external_differs_) {
         withdraw_diffusion(result.averages, fmt::format("the external force '{}' differs between atoms: {}",
                                                         printable(spec_.external->name(), 64), no_frame_of_diffusion));

@@ -12,6 +12,7 @@
 #include "ljmd/engine/film_mistakes.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/until_mistakes.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -221,15 +222,21 @@ Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external) {
     return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
 }
 
-double exchange_steps(const std::vector<Stage>& stages) {
-    double longest = 0.0;
+Baths sampled_baths(const std::vector<Stage>& stages, Index sample_every) {
+    const auto steps = static_cast<double>(sample_every);
+    Baths baths;
     for (const Stage& stage : stages) {
         if (stage.sample && stage.thermostat) {
             const double time = chosen_thermostat(*stage.thermostat).options->kinetic_energy_relaxation();
-            longest = std::max(longest, time / stage.time_step);
+            baths.exchange = std::max(baths.exchange, time / (stage.time_step * steps));
+        }
+        if (stage.sample && stage.barostat) {
+            const double mobility =
+                chosen_barostat(*stage.barostat).options->volume_mobility() * stage.time_step * steps;
+            baths.volume_mobility = baths.volume_mobility > 0.0 ? std::min(baths.volume_mobility, mobility) : mobility;
         }
     }
-    return longest;
+    return baths;
 }
 
 bool conserves_energy(const Stage& stage, const ExternalForce* external) {

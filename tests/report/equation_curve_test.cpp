@@ -59,12 +59,12 @@ TEST_CASE("each series has its own curve, and none joins points that are alone o
         CHECK(name.text() == "a");
     }
     CHECK(numbers(table, "x").back() == 2.0);
-    CHECK(equation_curves("x", {{1.0, 2.0, 0.5, "", ""}, {2.0, 2.0, 0.6, "", ""}}).columns.empty());
+    CHECK(equation_curves("x", {{1.0, 2.0, 0.01, 0.5, "", ""}, {2.0, 2.0, 0.01, 0.6, "", ""}}).columns.empty());
 }
 
 TEST_CASE("between gas and liquid a curve has no value") {
     const PageTable table =
-        equation_curves("rho", {{0.01, 0.8, 0.01, "thol2016", ""}, {0.8, 0.8, 0.01, 0.8, "thol2016", ""}});
+        equation_curves("rho", {{0.01, 0.8, 0.01, 0.01, "thol2016", ""}, {0.8, 0.8, 0.01, 0.8, "thol2016", ""}});
     const auto pressures = numbers(table, "pressure_reference");
     CHECK(std::isfinite(pressures.back()));
     CHECK(std::isnan(pressures[pressures.size() / 2]));

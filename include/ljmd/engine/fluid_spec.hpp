@@ -122,9 +122,9 @@ struct FluidSpec {
 /// centre of mass rests
 [[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external = false);
 
-/// Steps in which the slowest thermostat of the sampled stages takes up a deviation of the kinetic energy, see
-/// ThermostatOptions; 0 if none does.
-[[nodiscard]] double exchange_steps(const std::vector<Stage>& stages);
+/// The slowest thermostat and barostat of the sampled stages, see ThermostatOptions and BarostatOptions.
+/// @param sample_every  steps between samples
+[[nodiscard]] Baths sampled_baths(const std::vector<Stage>& stages, Index sample_every);
 
 /// Whether a stage of a fluid conserves its total energy minus the heat from the thermostat: as
 /// conserves_energy(stage), unless there is an external force without an energy.

@@ -54,6 +54,9 @@ class BarostatOptions {
     /// The pressure to be held [epsilon/sigma^3].
     [[nodiscard]] virtual double held_pressure() const = 0;
 
+    /// m in d(ln V)/dt = m (p - p_0), without noise [sigma^3/(epsilon tau)].
+    [[nodiscard]] virtual double volume_mobility() const = 0;
+
   protected:
     BarostatOptions() = default;
     BarostatOptions(const BarostatOptions&) = default;

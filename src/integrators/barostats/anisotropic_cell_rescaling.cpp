@@ -69,6 +69,9 @@ struct AnisotropicCellRescalingOptions : CellRescalingOptions {
         description.choice("edges", {"xyz", "xy", "xz", "yz", "x", "y", "z"}, edges)
             .meaning("the edges that change, each by itself; the others keep their lengths");
     }
+    [[nodiscard]] double volume_mobility() const override {
+        return CellRescalingOptions::volume_mobility() * static_cast<double>(edges.size()) / 3.0;
+    }
     [[nodiscard]] std::unique_ptr<Barostat> make(const PressureBath& bath) const override {
         const auto is_free = [&](char axis) { return edges.find(axis) == std::string::npos ? 0.0 : 1.0; };
         return std::make_unique<AnisotropicCellRescaling>(pressure, compressibility / (3.0 * time),

@@ -14,6 +14,7 @@ struct CellRescalingOptions : BarostatOptions {
     Index every = 10;               ///< steps between changes
 
     [[nodiscard]] double held_pressure() const override { return pressure; }
+    [[nodiscard]] double volume_mobility() const override { return compressibility / time; }
 
   protected:
     /// What the keys mean, where the barostats differ.

@@ -1,5 +1,7 @@
 #include "ljmd/observables/dynamics/scattering.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/dynamics/hydrodynamic_modes.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/transport/centre_frame.hpp"
 #include "ljmd/observables/transport/time_origins.hpp"
 
@@ -267,6 +270,23 @@ std::optional<DataTable> Scattering::modes() const {
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+std::vector<ObservableAverage> Scattering::observables() const {
+    const std::optional<DataTable> table = modes();
+    if (!table) {
+        return {};
+    }
+    const std::vector<double>& first = table->rows.front();  // k, c, its error
+    if (std::isfinite(first[1])) {
+        const auto blocks = static_cast<double>(collective_.blocks());
+        return {average_of("sound_velocity", Estimate{first[1], first[2], blocks, collective_.samples(), true})};
+    }
+    return {
+        average_of("sound_velocity", std::nullopt,
+                   fmt::format("no side peak of S(k, w) stands out at the smallest k, {:.3g}: it takes a larger box, "
+                               "or a longer run or max_time",
+                               first[0]))};
 }
 
 /// S(k, w) at w = pi n/t_max.

@@ -190,4 +190,17 @@ std::vector<ObservableAverage> ResponseFunctions::observables() const {
     return result;
 }
 
+void withhold_slow_responses(std::vector<ObservableAverage>& averages) {
+    const auto density = std::ranges::find(averages, "density", &ObservableAverage::name);
+    if (density == averages.end() || !density->estimate || density->estimate->converged) {
+        return;
+    }
+    for (ObservableAverage& average : averages) {
+        if (average.estimate && std::ranges::find(named, average.name, &Named::name) != named.end()) {
+            average.estimate.reset();
+            average.remark = too_short;
+        }
+    }
+}
+
 }  // namespace ljmd

@@ -45,8 +45,12 @@ constexpr double growth_of_slow_stress = 1.6;
 /// as if it had 16.
 constexpr double enough_exchanges = 24.0;
 
-/// Independent samples of what a heat capacity is the fluctuation of. Of runs with fewer those that look long enough are
-/// those that missed its slow part: near 30 in a gas their heat capacities were low by 2 errors.
+/// Of the volume, by the time in which it relaxes, which follows from its variance: short runs find too small a one,
+/// and of those that hold 15 some look as if they held 28.
+constexpr double enough_volumes = 32.0;
+
+/// Independent samples of what a heat capacity is the fluctuation of. Of runs with fewer those that look long enough
+/// are those that missed its slow part: near 30 in a gas their heat capacities were low by 2 errors.
 constexpr double enough_fluctuations = 64.0;
 
 /// Of an energy that is conserved but for errors of the integrator. @pre at least two samples
@@ -61,12 +65,12 @@ constexpr const char* never_met =
 
 }  // namespace
 
-RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy, double exchange)
+RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy, const Baths& baths)
     : atoms_(static_cast<double>(atoms)),
       degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
       ensemble_(ensemble),
       external_energy_(external_energy),
-      exchange_(exchange),
+      baths_(baths),
       series_(external_energy_column + (external_energy ? 1 : 0), Covariance::full),
       blocks_(series_.width()) {}
 
@@ -123,19 +127,28 @@ Estimate RunAverages::estimate(double value, const Vec3& gradient) const {
 }
 
 Estimate RunAverages::with_exchange(Estimate found, const Eigen::VectorXd& gradient) const {
-    const Eigen::VectorXd with_total = series_.covariances(total_energy_column);
+    const auto limit = [&](Index column, double most, double enough) {
+        const Eigen::VectorXd with_column = series_.covariances(column);
+        found.converged = found.converged && most >= enough;
+        const double least = std::abs(gradient.dot(with_column)) / std::sqrt(with_column[column] * std::max(most, 1.0));
+        if (least > found.standard_error) {
+            const double part = found.standard_error / least;
+            found.independent_samples *= part * part;
+            found.standard_error = least;
+        }
+    };
+    const auto half = 0.5 * static_cast<double>(samples());
     const double kinetic = series_.covariances(kinetic_energy_column)[kinetic_energy_column];
-    const double total = with_total[total_energy_column];
-    if (!(exchange_ > 0.0) || !(kinetic > 0.0) || !(total > 0.0)) {
-        return found;
+    const double total = series_.covariances(total_energy_column)[total_energy_column];
+    if (baths_.exchange > 0.0 && kinetic > 0.0 && total > 0.0) {
+        limit(total_energy_column, half * kinetic / (baths_.exchange * total), enough_exchanges);
     }
-    const double most = 0.5 * static_cast<double>(samples()) * kinetic / (exchange_ * total);
-    found.converged = found.converged && most >= enough_exchanges;
-    const double least = std::abs(gradient.dot(with_total)) / std::sqrt(total * std::max(most, 1.0));
-    if (least > found.standard_error) {
-        const double part = found.standard_error / least;
-        found.independent_samples *= part * part;
-        found.standard_error = least;
+    const Eigen::VectorXd mean = series_.mean();
+    const double density = mean[density_column];
+    const double compressibility = atoms_ * series_.covariances(density_column)[density_column] /
+                                   (density * density * density * mean[temperature_column]);
+    if (baths_.volume_mobility > 0.0 && compressibility > 0.0) {
+        limit(density_column, half * baths_.volume_mobility / compressibility, enough_volumes);
     }
     return found;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "ljmd/observables/response/response_functions.hpp"
+
 using namespace ljmd;
 
 namespace {
@@ -164,7 +166,7 @@ TEST_CASE("a run that is short beside the time of its bath knows it from that ti
     const auto temperature = [](double exchange, double shared) {
         std::mt19937_64 generator(5);
         std::normal_distribution<double> normal;
-        RunAverages run(100, Ensemble::canonical, false, exchange);
+        RunAverages run(100, Ensemble::canonical, false, {.exchange = exchange});
         for (int k = 0; k < 4096; ++k) {
             Thermodynamics sample = numbered(0.0);
             sample.kinetic_energy = 1.5 + normal(generator);
@@ -187,6 +189,46 @@ TEST_CASE("a run that is short beside the time of its bath knows it from that ti
     CHECK(slow.standard_error == Approx(1.0 / 1.5 / std::sqrt(2.0 * 51.2)).epsilon(0.05));
     CHECK(slow.independent_samples == Approx(102.4).epsilon(0.2));
     CHECK(temperature(0.01, 2.0).standard_error == temperature(0.0, 2.0).standard_error);
+}
+
+TEST_CASE("a run that is short beside the time in which its volume relaxes knows it from the barostat") {
+    const auto density = [](double mobility) {
+        std::mt19937_64 generator(5);
+        std::normal_distribution<double> normal;
+        RunAverages run(100, Ensemble::isothermal_isobaric, false, {.volume_mobility = mobility});
+        for (int k = 0; k < 4096; ++k) {
+            Thermodynamics sample = numbered(0.0);
+            sample.temperature = 2.0;
+            sample.density = 0.5 + 0.01 * normal(generator);
+            run.add(sample);
+        }
+        return *find(run.averages(), "density").estimate;
+    };
+    // kappa = N var(rho)/(rho^3 T) = 0.04, and 4096 m/(2 kappa) >= 32
+    CHECK(density(0.0).converged);
+    CHECK(density(6.6e-4).converged);
+    CHECK_FALSE(density(5.9e-4).converged);
+    const Estimate slow = density(1e-3);
+    CHECK(slow.standard_error == Approx(0.01 / std::sqrt(51.2)).epsilon(0.05));
+    CHECK(slow.independent_samples == Approx(51.2).epsilon(0.2));
+    CHECK(density(100.0).standard_error == density(0.0).standard_error);
+}
+
+TEST_CASE("response functions have no value where the density is a guess") {
+    const Estimate known{1.0, 0.1, 30.0, 100, true};
+    const Estimate guess{1.0, 0.1, 30.0, 100, false};
+    for (const Estimate& of_density : {known, guess}) {
+        std::vector<ObservableAverage> averages{average_of("density", of_density),
+                                                average_of("isothermal_compressibility", known),
+                                                average_of("pressure", known)};
+        withhold_slow_responses(averages);
+        CHECK(averages[1].estimate.has_value() == of_density.converged);
+        CHECK(averages[1].remark.empty() == of_density.converged);
+        CHECK(averages[2].estimate);
+    }
+    std::vector<ObservableAverage> constant_volume{average_of("isothermal_compressibility", known)};
+    withhold_slow_responses(constant_volume);
+    CHECK(constant_volume[0].estimate);
 }
 
 TEST_CASE("where shear stress relaxes too slowly for the run, collisions are rare and what they change is a guess") {

@@ -59,6 +59,8 @@ class Scattering : public Analysis {
     void interrupt() override;
     [[nodiscard]] Index samples() const override { return samples_; }
     [[nodiscard]] std::vector<DataTable> tables() const override;
+    /// sound_velocity at the smallest wave number, or why there is none.
+    [[nodiscard]] std::vector<ObservableAverage> observables() const override;
     void archive(Archive& a) override;
 
   private:

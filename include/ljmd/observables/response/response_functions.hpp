@@ -78,4 +78,7 @@ class ResponseFunctions {
     JackknifeBlocks blocks_;
 };
 
+/// Take the values of response functions away where the density is a guess: its fluctuation is known less well.
+void withhold_slow_responses(std::vector<ObservableAverage>& averages);
+
 }  // namespace ljmd

@@ -31,6 +31,8 @@ class JackknifeBlocks {
     /// Samples in complete blocks.
     [[nodiscard]] Index samples() const { return length_ * static_cast<Index>(means_.size()); }
 
+    [[nodiscard]] Index blocks() const { return static_cast<Index>(means_.size()); }
+
     /// Means over complete blocks, which errors() has the errors of. @pre samples() > 0
     [[nodiscard]] Eigen::VectorXd mean() const { return sum() / static_cast<double>(means_.size()); }
 

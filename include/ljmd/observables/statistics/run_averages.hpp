@@ -11,6 +11,13 @@
 
 namespace ljmd {
 
+/// How fast baths exchange with the system.
+struct Baths {
+    double exchange = 0.0;  ///< samples in which the kinetic energy relaxes; 0 if there is no such time
+    double volume_mobility =
+        0.0;  ///< relative change of the volume in a sample per pressure [sigma^3/epsilon]; 0: none
+};
+
 /// Averages of thermodynamic samples with standard errors by block averaging.
 ///
 /// The compressibility factor is a ratio of means, Z = <p>/(<rho> <T>); its error includes the correlations of the
@@ -32,6 +39,10 @@ namespace ljmd {
 /// error of the part that follows the energy,
 ///
 ///     |cov(x, E)|/(var(E) n_E)^(1/2)
+///
+/// A barostat that changes the volume by d(ln V)/dt = m (p - p_0) lets it relax in kappa/m, with kappa = var(V)/(V T).
+/// So n_V = n m dt/(2 kappa) samples of the density are independent, or fewer, and the same holds with the density in
+/// place of E, and 32 of 24.
 ///
 /// A series alone does not know that it is short: those that look long enough are those with too small an error.
 ///
@@ -62,9 +73,7 @@ class RunAverages {
   public:
     /// @param ensemble  of all samples
     /// @param external_energy  whether the samples have one
-    /// @param exchange  samples in which the bath takes up a deviation of the kinetic energy; 0 if there is no such
-    /// time
-    RunAverages(Index atoms, Ensemble ensemble, bool external_energy = false, double exchange = 0.0);
+    RunAverages(Index atoms, Ensemble ensemble, bool external_energy = false, const Baths& baths = {});
 
     void add(const Thermodynamics& sample);
     [[nodiscard]] Index samples() const { return series_.samples(); }
@@ -91,7 +100,7 @@ class RunAverages {
     /// Whether the run is long beside the time between collisions, as the shear stress shows it, or encounters are so
     /// rare that they are counted.
     [[nodiscard]] bool knows_collisions() const;
-    /// With at least the error that the time of the bath makes, see above.
+    /// With at least the error that the times of the baths make, see above.
     [[nodiscard]] Estimate with_exchange(Estimate found, const Eigen::VectorXd& gradient) const;
     /// Nothing in ensembles whose fluctuations do not determine it; without estimate but with a remark if it has no
     /// value.
@@ -107,7 +116,7 @@ class RunAverages {
     double degrees_of_freedom_;
     Ensemble ensemble_;
     bool external_energy_;
-    double exchange_;
+    Baths baths_;
     BlockingAccumulator series_;
     JackknifeBlocks blocks_;
     Index encounters_ = 0;     ///< runs of consecutive samples with a virial

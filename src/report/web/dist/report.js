@@ -35924,7 +35924,11 @@ void main() {
       this.atomField = element("input", { id: uniqueId("atom"), type: "number", min: 0, step: 1, placeholder: "click one" });
       this.atomField.addEventListener("change", () => this.select(this.atomField.value === "" ? -1 : this.placeOf(Number(this.atomField.value))));
       const stillOf = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Atoms of ${this.title}` });
-      window.addEventListener("beforeprint", () => this.drawStillOn(stillOf, { ground: "#ffffff", edge: "#9aa3ad" }));
+      window.addEventListener("beforeprint", () => this.drawStillOn(
+        stillOf,
+        { ground: "#ffffff", edge: "#9aa3ad" },
+        this.playback.frame || this.atoms.frames - 1
+      ));
       this.controls = element(
         "div",
         { class: "controls" },
@@ -35999,8 +36003,7 @@ void main() {
       this.stage.setAttribute("aria-label", `Atoms of ${this.title}, a still picture`);
       this.node.prepend(element("p", { class: "why" }, reason));
     }
-    positions() {
-      const { frame: frame2 } = this.playback;
+    positions(frame2 = this.playback.frame) {
       return this.atoms.positions.subarray(3 * frame2 * this.atoms.count, 3 * (frame2 + 1) * this.atoms.count);
     }
     showFrame() {
@@ -36054,10 +36057,9 @@ void main() {
       this.canvas.dataset.drawn = drawn;
       this.thin.textContent = drawn < this.atoms.count ? `while moving: ${number(drawn)} of ${number(this.atoms.count)} atoms are drawn` : "";
     }
-    drawStillOn(canvas, colours) {
-      const { frame: frame2 } = this.playback;
+    drawStillOn(canvas, colours, frame2 = this.playback.frame) {
       drawStill(canvas, {
-        positions: this.positions(),
+        positions: this.positions(frame2),
         box: this.atoms.box(frame2),
         shades: coloursAt(this.colour, frame2, this.atoms.count),
         radius: RADIUS

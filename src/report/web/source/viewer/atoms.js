@@ -57,7 +57,8 @@ export class AtomViewer {
         this.atomField = element("input", { id: uniqueId("atom"), type: "number", min: 0, step: 1, placeholder: "click one" });
         this.atomField.addEventListener("change", () => this.select(this.atomField.value === "" ? -1 : this.placeOf(Number(this.atomField.value))));
         const stillOf = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Atoms of ${this.title}` });
-        window.addEventListener("beforeprint", () => this.drawStillOn(stillOf, { ground: "#ffffff", edge: "#9aa3ad" }));
+        window.addEventListener("beforeprint", () => this.drawStillOn(stillOf, { ground: "#ffffff", edge: "#9aa3ad" },
+            this.playback.frame || this.atoms.frames - 1));    // the end of the run, where nobody chose another frame
         this.controls = element("div", { class: "controls" },
             element("span", {}, element("label", { for: this.choice.id }, "Colour "), this.choice),
             element("label", { class: "live" }, this.boxSwitch, " Box"),
@@ -115,8 +116,7 @@ export class AtomViewer {
         this.node.prepend(element("p", { class: "why" }, reason));
     }
 
-    positions() {
-        const { frame } = this.playback;
+    positions(frame = this.playback.frame) {
         return this.atoms.positions.subarray(3 * frame * this.atoms.count, 3 * (frame + 1) * this.atoms.count);
     }
 
@@ -179,10 +179,9 @@ export class AtomViewer {
         this.thin.textContent = drawn < this.atoms.count ? `while moving: ${number(drawn)} of ${number(this.atoms.count)} atoms are drawn` : "";
     }
 
-    drawStillOn(canvas, colours) {
-        const { frame } = this.playback;
+    drawStillOn(canvas, colours, frame = this.playback.frame) {
         drawStill(canvas, {
-            positions: this.positions(), box: this.atoms.box(frame), shades: coloursAt(this.colour, frame, this.atoms.count), radius: RADIUS,
+            positions: this.positions(frame), box: this.atoms.box(frame), shades: coloursAt(this.colour, frame, this.atoms.count), radius: RADIUS,
         }, this.camera, colours);
     }
 
