@@ -14,9 +14,10 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 
 import harness  # noqa: E402
+import keeper  # noqa: E402
 
 MODULES = ["commands", "pages", "terminals", "analyzes", "trajectories", "evaluates", "compares", "judges", "equations", "deck_errors", "few_body_errors", "effects", "exports", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "resumes", "processes", "not_files", "foreign_files", "taken_names", "every_taken_name", "reproduces", "sweeps", "workers", "until", "references", "reports", "decks", "plots"]
 
@@ -49,4 +50,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

@@ -17,6 +17,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[1]))
 
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 try:
