@@ -23,9 +23,11 @@ MODULES = ["commands", "pages", "terminals", "analyzes", "trajectories", "evalua
 
 
 def take_usual_signals():
-    """A shell that starts these tests in the background has the two ignored, and so would the programs under test."""
+    """A shell that starts these tests in the background has the first two ignored, nohup the third, and so would the programs
+    under test."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGQUIT, signal.SIG_DFL)
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 def main():
