@@ -107,14 +107,16 @@ def comparison_ended_by(number):
 
 
 def at_most(count):
-    """In the child: no more processes and threads of this user. Root, whom no such limit binds, becomes nobody."""
+    """Options: no more processes and threads of this user. Root, whom no such limit binds, becomes nobody; and a sanitizer
+    does not look for leaks, for which it needs another process."""
     def limit():
         if os.geteuid() == 0:
             os.setgroups([])
             os.setgid(65534)
             os.setuid(65534)
         resource.setrlimit(resource.RLIMIT_NPROC, (count, count))
-    return limit
+    sanitizer = ":".join(filter(None, [os.environ.get("ASAN_OPTIONS"), "detect_leaks=0"]))
+    return {"preexec_fn": limit, "env": {**clean_environment(), "ASAN_OPTIONS": sanitizer}}
 
 
 few_processes = at_most(1)
@@ -123,7 +125,7 @@ few_processes = at_most(1)
 def needs_few_processes(t):
     t.dir.chmod(0o777)
     try:
-        t.run_well("--version", preexec_fn=few_processes)
+        t.run_well("--version", **few_processes)
     except (Failure, subprocess.SubprocessError, OSError) as reason:
         raise Skip(f"the program cannot be run with few processes: {reason}") from reason
 
@@ -134,7 +136,7 @@ def no_room_for_threads_of_openmm(t):
     needs_few_processes(t)
     t.deck()
     result = t.expect(7, t.run("compare", "deck.toml", "--with", "openmm", "--threads", "4", "--steps", "10", "--quiet",
-                               preexec_fn=at_most(5)))
+                               **at_most(5)))
     t.check(re.search(r"\d threads are asked for, and the system allows no more than \d here; ", result.err), result.err)
 
 
@@ -143,11 +145,11 @@ def no_room_for_threads_or_processes(t):
     needs_few_processes(t)
     before = t.files()
     for command in ("run", "bench", "check"):
-        result = t.expect(7, t.run(command, "deck.toml", "--threads", "40", preexec_fn=few_processes))
+        result = t.expect(7, t.run(command, "deck.toml", "--threads", "40", **few_processes))
         t.check(re.match(r"error: 40 threads are asked for, and the system allows no more than \d+ here; ", result.err),
                 f"message of {command}: {result.err}")
         t.equal((result.out, t.files()), ("", before), "stdout and files")
-    result = t.expect(7, t.run(*SWEEP, preexec_fn=few_processes))
+    result = t.expect(7, t.run(*SWEEP, **few_processes))
     t.check(re.match(r"error: cannot start '.*ljmd': the system has no room for another process: .*\n"
                      r"  \d+ ran at a time; --jobs asks for fewer than 2\n$", result.err), f"message: {result.err}")
 

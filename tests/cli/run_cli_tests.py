@@ -14,17 +14,20 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 
 import harness  # noqa: E402
+import keeper  # noqa: E402
 
 MODULES = ["commands", "pages", "terminals", "analyzes", "trajectories", "evaluates", "compares", "judges", "equations", "deck_errors", "few_body_errors", "effects", "exports", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "resumes", "processes", "not_files", "foreign_files", "taken_names", "every_taken_name", "reproduces", "sweeps", "workers", "until", "references", "reports", "decks", "plots"]
 
 
 def take_usual_signals():
-    """A shell that starts these tests in the background has the two ignored, and so would the programs under test."""
+    """A shell that starts these tests in the background has the first two ignored, nohup the third, and so would the programs
+    under test."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGQUIT, signal.SIG_DFL)
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 def main():
@@ -49,4 +52,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

@@ -23,6 +23,7 @@ from typing import Callable, Optional
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 from harness import DECK, STARS, Failure, check_same_run, replaced  # noqa: E402
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 # seconds; what cannot be read within them is taken for a file without frames, which lets a test ask for less
@@ -236,7 +237,10 @@ def run_tests(arguments: list[str], description: str, tests: Callable[[Runner, P
     options = parser.parse_args(arguments)
     runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed),
                     options.every)
-    tally = Tally()
-    with tempfile.TemporaryDirectory() as folder:
-        tests(runner, Path(folder), tally, getattr(options, "number", 0))
-    return tally.finish()
+
+    def kept() -> int:
+        tally = Tally()
+        tests(runner, Path(tempfile.gettempdir()), tally, getattr(options, "number", 0))
+        return tally.finish()
+
+    return keeper.kept(kept)

@@ -16,7 +16,8 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "cli"))
+sys.path[:0] = [str(HERE.parent / "cli"), str(HERE.parent)]
+import keeper  # noqa: E402
 from judges import ENGINE, MISTAKES  # noqa: E402
 
 # name -> cells, density, temperature, cutoff, truncation, tail
@@ -118,4 +119,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

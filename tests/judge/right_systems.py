@@ -17,6 +17,9 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import keeper  # noqa: E402
+
 PAGE = HERE.parents[1] / "docs/examples/engine.py"
 EDGE_CELLS = {32: 2, 108: 3, 256: 4, 500: 5}
 CANONICAL = ["langevin", "andersen", "stochastic-rescaling", "nose-hoover-chain"]
@@ -144,4 +147,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 sys.path.insert(0, str(ROOT / "tests/cli"))
 import decks  # noqa: E402
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 from figures import check, exit_code  # noqa: E402
 
@@ -409,14 +410,15 @@ def main():
     os.environ.update({"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
                        "OMP_NUM_THREADS": "1"})
     options.ljmd = str(Path(options.ljmd).resolve())
-    # A killed rank leaves its part of the shared memory behind: in a folder that is removed.
-    with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as memory:
-        os.environ["OMPI_MCA_btl_vader_backing_directory"] = memory
-        for name in options.cases or CASES:
-            with tempfile.TemporaryDirectory() as folder:
-                CASES[name](Test(options, Path(folder)))
+    os.environ["OMPI_MCA_btl_vader_backing_directory"] = tempfile.gettempdir()
+    for name in options.cases or CASES:
+        with tempfile.TemporaryDirectory() as folder:
+            CASES[name](Test(options, Path(folder)))
     return exit_code()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    # A killed rank leaves its part of the shared memory behind: in the folder that is removed, and that is in memory.
+    if os.access("/dev/shm", os.W_OK):
+        tempfile.tempdir = "/dev/shm"
+    sys.exit(keeper.kept(main))

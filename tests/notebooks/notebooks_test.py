@@ -8,6 +8,7 @@ PYTHONPATH has the package. The numbers are the same on every processor.
 """
 
 import ast
+import os
 import pathlib
 import re
 import shutil
@@ -17,6 +18,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[1]))
 
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 try:
@@ -96,6 +98,7 @@ def execute(name: str, folder: str) -> None:
     checks = re.sub(r"^ {8}", "", checks.strip("\n"), flags=re.M)
     ast.parse(checks)
     notebook.cells.append(nbformat.v4.new_code_cell(checks))
+    os.environ.update({"IPYTHONDIR": f"{folder}/ipython", "JUPYTER_RUNTIME_DIR": f"{folder}/runtime"})  # not at home
     client = nbclient.NotebookClient(notebook, timeout=waiting.PATIENCE, kernel_name="python3", resources={"metadata": {"path": folder}})
     client.execute()  # raises what a cell raises
     outputs = [each for cell in code_cells(notebook) for each in cell.outputs]
@@ -125,9 +128,12 @@ def check_stored() -> None:
                 assert (FOLDER / target).exists(), f"{name}: link to {target}"
 
 
-if __name__ == "__main__":
+def main() -> None:
     if len(sys.argv) > 1:
-        with tempfile.TemporaryDirectory() as scratch:
-            execute(sys.argv[1], scratch)
+        execute(sys.argv[1], tempfile.gettempdir())
     else:
         check_stored()
+
+
+if __name__ == "__main__":
+    sys.exit(keeper.kept(main))

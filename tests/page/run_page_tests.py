@@ -17,6 +17,10 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+import keeper  # noqa: E402
+
 EXAMPLE = HERE.parents[1] / "docs/examples/page/index.html"
 WEB = HERE.parents[1] / "src/report/web"
 
@@ -55,4 +59,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

@@ -2,24 +2,19 @@
 the test, root or not, and without systemd. Ports and sockets are its own, so that it does not meet a Slurm of the computer or
 another copy of the test.
 
-All that it starts, jobs included, is a descendant of a keeper process, which is a subreaper: daemons that leave their
-parents come to it. When the test ends, is killed or is interrupted, the keeper kills all of them (`with_keeper`).
+All that it starts, jobs included, ends with the test, however that ends, if it is run by keeper.kept().
 """
 
-import ctypes
 import os
 import pwd
 import shutil
-import signal
 import socket
 import subprocess
-import sys
 from pathlib import Path
 
 import waiting
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol")
-PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
 CONFIGURATION = """\
 ClusterName=ljmd
@@ -70,89 +65,6 @@ def nameless():
     except OSError as error:
         return f"address of the name of this computer, '{socket.gethostname()}' ({error}); an entry in /etc/hosts is enough"
     return None
-
-
-def process_control(option, value):
-    ctypes.CDLL(None, use_errno=True).prctl(option, value, 0, 0, 0)
-
-
-def descendants(pid):
-    """Processes below a process, zombies excepted."""
-    parents = {}
-    for stat in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            fields = stat.read_text().rpartition(")")[2].split()
-        except OSError:  # it has ended
-            continue
-        if fields[0] != "Z":
-            parents[int(stat.parent.name)] = int(fields[1])
-    found, new = set(), {pid}
-    while new:
-        new = {child for child, parent in parents.items() if parent in new and child not in found}
-        found |= new
-    return found
-
-
-def end_descendants():
-    """Kill all processes below this one, and those that come to it meanwhile, until there is none."""
-    def all_gone():
-        victims = descendants(os.getpid())
-        for victim in victims:
-            try:
-                os.kill(victim, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-        reap()
-        return not victims
-
-    waiting.until(all_gone, "the processes of the test are killed")
-
-
-def reap():
-    """@return exit codes of the children that have ended, by their numbers"""
-    codes = {}
-    try:
-        while (found := os.waitpid(-1, os.WNOHANG)) != (0, 0):
-            codes[found[0]] = os.waitstatus_to_exitcode(found[1])
-    except ChildProcessError:
-        pass
-    return codes
-
-
-def with_keeper(test):
-    """Run a function in a child process; when that has ended, however it ended, end all that is left of it.
-
-    @return its exit code
-    """
-    process_control(PR_SET_CHILD_SUBREAPER, 1)
-    watched = {signal.SIGCHLD, signal.SIGTERM, signal.SIGINT, signal.SIGHUP}
-    signal.pthread_sigmask(signal.SIG_BLOCK, watched)
-    child = os.fork()
-    if child == 0:
-        process_control(PR_SET_PDEATHSIG, signal.SIGTERM)
-        process_control(PR_SET_CHILD_SUBREAPER, 1)
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
-        signal.signal(signal.SIGHUP, signal.SIG_IGN)
-        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, watched)
-        code = 1
-        try:
-            code = test()
-        except SystemExit as end:
-            code = end.code
-        finally:
-            signal.signal(signal.SIGTERM, signal.SIG_IGN)
-            end_descendants()
-            sys.stdout.flush()
-            sys.stderr.flush()
-            os._exit(code if isinstance(code, int) else 1)
-    code = None
-    while code is None:
-        if signal.sigwait(watched) != signal.SIGCHLD:
-            os.kill(child, signal.SIGTERM)
-        code = reap().get(child)
-    end_descendants()
-    return code if code >= 0 else 128 - code
 
 
 class Cluster:

@@ -23,6 +23,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent / "cli"), str(HERE.parent)]
 
 import cluster  # noqa: E402
 from harness import DECK, Context, Failure, Result, clean_environment  # noqa: E402
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 PLAIN = ("sweep", "deck.toml", "--grid", "system.temperature=1.2:2.0:3,system.density=0.7|0.8442", "--out", "out")
@@ -298,26 +299,28 @@ def of_cluster(directory):
     return [pid for pid in found if pid != os.getpid()]
 
 
-def no_daemon_is_left(directory):
-    """However the test ends: here its inner process is killed, or its outer one told to end."""
-    for which in ("inner", "outer"):
-        place = directory / f"{which}"
-        place.mkdir()
-        command = [sys.executable, __file__, "--hold", str(place)]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-            inner = int(process.stdout.readline())
-            if not of_cluster(place):
+def no_daemon_is_left():
+    """Nor a file, however the test ends: any of its processes is killed, or all that one can reach by their group, or the test
+    is told to end."""
+    for which in ("the test", "its keeper", "what was called", "its group", "told to end"):
+        with subprocess.Popen([sys.executable, __file__, "--hold"], stdout=subprocess.PIPE, text=True, start_new_session=True) as process:
+            folder, test, kept_by = process.stdout.readline().split()
+            if not of_cluster(folder):
                 raise Failure("no cluster has come up")
-            os.kill(inner if which == "inner" else process.pid, signal.SIGKILL if which == "inner" else signal.SIGTERM)
+            if which == "its group":
+                os.killpg(process.pid, signal.SIGKILL)
+            else:
+                victim = {"the test": int(test), "its keeper": int(kept_by)}.get(which, process.pid)
+                os.kill(victim, signal.SIGTERM if which == "told to end" else signal.SIGKILL)
             process.wait(waiting.PATIENCE)
-        if left := of_cluster(place):
-            raise Failure(f"processes are left: {left}")
+        waiting.until(lambda: not of_cluster(folder) and not Path(folder).exists(), f"all has gone after an end of {which}")
 
 
-def hold(directory):
-    """Start a cluster, and wait to be ended."""
-    cluster.Cluster(directory / "cluster")
-    print(os.getpid(), flush=True)
+def hold():
+    """Start a cluster, say where and as whom, and wait to be ended."""
+    folder = tempfile.gettempdir()
+    cluster.Cluster(Path(folder) / "cluster")
+    print(folder, os.getpid(), os.getppid(), flush=True)
     while True:
         signal.pause()
 
@@ -326,11 +329,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ljmd", type=Path, help="the program")
     parser.add_argument("--times", type=int, default=1, help="try all cases that many times")
-    parser.add_argument("--hold", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--hold", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("cases", nargs="*", metavar="CASE", help=", ".join(case.__name__ for case in CASES))
     options = parser.parse_args()
     if options.hold:
-        return cluster.with_keeper(lambda: hold(options.hold))
+        return hold()
     if lacking := cluster.missing():
         required = os.environ.get("LJMD_REQUIRE_PEERS") == "1"
         print(f"{'FAIL, as LJMD_REQUIRE_PEERS=1' if required else 'skipped'}: there is no {lacking}")
@@ -339,14 +342,12 @@ def main():
         print(f"skipped: there is no {lacking}")
         return 77
     cases = [case for case in CASES if not options.cases or case.__name__ in options.cases]
-    with tempfile.TemporaryDirectory(prefix="ljmd-slurm-") as name:
-        directory = Path(name)
-        code = cluster.with_keeper(lambda: run_cases(str(options.ljmd.resolve()), directory, cases, options.times))
-        if not options.cases and code == 0:
-            no_daemon_is_left(directory)
-            print("passed: no_daemon_is_left")
+    code = run_cases(str(options.ljmd.resolve()), Path(tempfile.gettempdir()), cases, options.times)
+    if not options.cases and code == 0:
+        no_daemon_is_left()
+        print("passed: no_daemon_is_left")
     return code
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))

@@ -1,6 +1,7 @@
 // What the tests of the page share: counting checks, opening pages, looking at pictures.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { pathToFileURL } from "node:url";
 
 export const plan = JSON.parse(readFileSync(process.argv[2], "utf8"));
@@ -25,7 +26,9 @@ export function verdict() {
     return failed === 0 && passed > 0 ? 0 : 1;
 }
 
-export const launch = () => chromium.launch({ executablePath: plan.browser, args: ARGUMENTS });
+/** It writes nothing at home. */
+const env = { ...process.env, XDG_CONFIG_HOME: tmpdir(), XDG_CACHE_HOME: tmpdir() };
+export const launch = () => chromium.launch({ executablePath: plan.browser, args: ARGUMENTS, env });
 
 /** [ms] after which what is waited for never comes; no result depends on it. */
 const PATIENCE = 900_000;

@@ -24,6 +24,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1]))
 
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 WEB = HERE.parents[2] / "src/report/web"
@@ -260,4 +261,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keeper.kept(main))
