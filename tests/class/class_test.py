@@ -123,7 +123,8 @@ def check_quotes(name: str) -> None:
         if not rounds_to(float(a) / float(b) if operator == "/" else float(a) * float(b), result):
             wrong.append(f"{a}{operator}{b} is not {result}")
     rest = PAIR.sub("", RESULT.sub(r"\1 \3", answers))
-    known = [each for value, _ in lines.values() for each in (value, abs(value))] + [float(number) for number in NUMBER.findall("\n".join([*lines, page(name), decks]))]
+    known = [each for value, _ in lines.values() for each in (value, abs(value))]
+    known += [float(number) for number in NUMBER.findall("\n".join([*lines, page(name), decks]))]
     wrong += [f"{number} is neither printed by the script nor given" for number in NUMBER.findall(rest)
               if not any(rounds_to(value, number) for value in known)]
     assert not wrong, f"answers/{name}.md: " + "; ".join(wrong)
@@ -190,7 +191,8 @@ def check_lesson(ljmd: str) -> None:
         run = package.open(f"{temporary}/run")
         step, order = np.asarray(run.thermo["step"]), np.asarray(run.thermo["order_parameter"])
         g, r = np.asarray(run.table("rdf")["g"]), np.asarray(run.table("rdf")["r"])
-    found = {stage["name"]: order[(step > 5000 * place + 1000) & (step <= 5000 * (place + 1))].mean() for place, stage in enumerate(run.stages)}
+    found = {stage["name"]: order[(step > 5000 * place + 1000) & (step <= 5000 * (place + 1))].mean()
+             for place, stage in enumerate(run.stages)}
     print({name: round(float(value), 3) for name, value in found.items()})
     assert "is 0.86" in text and abs(found["up 0.60"] - 0.86) < 0.01, found
     assert "with 0.72" in text and abs(found["up 1.20"] - 0.72) < 0.02, found
