@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 import numpy as np
-from classroom import answer, plt, save
+from classroom import answer, first_minimum, plt, save
 
 import ljmd
 
@@ -34,6 +34,31 @@ def S_peak(k, S, vectors) -> tuple:
     return c - b**2 / (4 * a), np.sqrt(covariance[2, 2])
 
 
+def compressibility(T: float, rho: float, cutoff: float | None = None) -> float:
+    """T/(dp/drho) by the equation of state: of the full fluid, or of one whose forces end at the cutoff.
+
+    Forces beyond it add p = (16 pi/3) rho^2 [(2/3)/cutoff^9 - 1/cutoff^3] to the pressure, where g = 1, and 2 p/rho to its slope.
+    """
+    slope = ljmd.eos(T, rho).pressure_density_slope
+    if cutoff is not None:
+        slope -= 2 * 16 * np.pi / 3 * rho * (2 / 3 / cutoff**9 - 1 / cutoff**3)
+    return T / slope
+
+
+def u(r):
+    return 4 * (r**-12.0 - r**-6.0)
+
+
+def fall(k, T: float, rho: float, cutoff: float) -> float:
+    """1/S(k) - 1/S(0) of a dilute gas, rho [f(0) - f(k)] with the Fourier transform f(k) of exp(-u/T) - 1.
+
+    Forces that end at the cutoff have a potential that is 0 there.
+    """
+    r = np.linspace(0.5, cutoff, 4001)
+    f = np.exp(-(u(r) - u(cutoff)) / T) - 1
+    return rho * 4 * np.pi * (f * r**2 * (1 - np.sinc(k * r / np.pi))).sum() * (r[1] - r[0])
+
+
 gas, liquid, crystal, freezing = map(pathlib.Path, sys.argv[1:])
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), constrained_layout=True)
 for name, directory in ("gas", gas), ("liquid", liquid), ("crystal", crystal):
@@ -48,6 +73,7 @@ for name, directory in ("gas", gas), ("liquid", liquid), ("crystal", crystal):
         answer("hard spheres of that density", 4 * np.pi / 3 * (1.5**3 - 1) * 0.05)
     else:
         answer(f"{name}: coordination number", run["coordination_number"].mean, run["coordination_number"].error)
+        answer(f"{name}: height of the first minimum of g(r)", first_minimum(r, g))
     long = k < 0.7
     answer(f"{name}: S of the waves with k < 0.7", np.average(S[long], weights=vectors[long]),
            np.sqrt(((vectors * error)[long]**2).sum()) / vectors[long].sum())
@@ -55,13 +81,17 @@ for name, directory in ("gas", gas), ("liquid", liquid), ("crystal", crystal):
     right.plot(k, S, label=name)
     if name == "gas":
         T = run["temperature"].mean
-        left.plot(r, np.exp(-4 * (r**-12.0 - r**-6.0) / T), color="k", lw=0.8, ls="--", label="exp(-u/T)")
+        left.plot(r, np.exp(-u(r) / T), color="k", lw=0.8, ls="--", label="exp(-u/T)")
         answer("gas: exp(1/T)", np.exp(1 / T))
-        answer("gas: T/(dp/drho) by equation of state", T / ljmd.eos(T, 0.05).pressure_density_slope)
+        answer("gas: T/(dp/drho) by equation of state", compressibility(T, 0.05))
+        answer("gas: the same with the cutoff", compressibility(T, 0.05, 2.5))
+        there = [1 / (1 / compressibility(T, 0.05, 2.5) + fall(each, T, 0.05, 2.5)) for each in k[long]]
+        answer("gas: the same with the cutoff, at these k", np.average(there, weights=vectors[long]))
     elif name == "liquid":
         answer("liquid: height of S(k)", *S_peak(k, S, vectors))
         T = run["temperature"].mean
-        answer("liquid: T/(dp/drho) by equation of state", T / ljmd.eos(T, 0.8442).pressure_density_slope)
+        answer("liquid: T/(dp/drho) by equation of state", compressibility(T, 0.8442))
+        answer("liquid: the same with the cutoff", compressibility(T, 0.8442, 2.5))
     else:
         sites = (4 / 1.0)**(1 / 3)  # edge of the cube with four atoms
         answer("crystal: distance of neighbouring sites", sites / np.sqrt(2))
