@@ -31,14 +31,15 @@ constexpr std::array meanings{
     Meaning{" berendsen ",
             "it samples no ensemble and is not in ljmd: 'stochastic-rescaling' is as gentle, and canonical; for "
             "pressure 'stochastic-cell-rescaling'"},
-    Meaning{" nosehoover nose nhc mttk mtk martynatobiasklein ",
-            "the thermostat is called 'nose-hoover-chain' here; barostats are 'stochastic-cell-rescaling' and "
-            "'anisotropic-cell-rescaling'"},
+    Meaning{" nosehoover nose nhc ", "the thermostat is called 'nose-hoover-chain' here"},
+    Meaning{" mttk mtk martynatobiasklein ",
+            "the thermostat is called 'nose-hoover-chain' here; for pressure 'stochastic-cell-rescaling'"},
     Meaning{" crescale scr bernettibussi ", "it is called 'stochastic-cell-rescaling' here"},
     Meaning{" parrinellorahman montecarlobarostat andersenbarostat ",
             "not in ljmd; 'stochastic-cell-rescaling' samples the same ensemble"},
     Meaning{" baoab brownian ", "'langevin' is BAOAB"},
-    Meaning{" tau taut taup tdamp pdamp damp tcoupl relaxationtime couplingtime ", "it is called 'time' here"},
+    Meaning{" tau taut taup tdamp pdamp damp tcoupl relaxationtime couplingtime ",
+            "a relaxation time is called 'time' here, where there is one"},
     Meaning{" velocityrescale velocityrescaling temprescale ", "it is called 'rescale' here"},
     // Potentials
     Meaning{" mie lj96 buckingham yukawa ",

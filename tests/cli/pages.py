@@ -83,9 +83,9 @@ def init_writes_any_example(t):
 
 def init_replaces_nothing_unasked(t):
     (t.dir / "first.toml").write_text("mine\n", encoding="utf-8")
-    (t.dir / "folder").mkdir()
+    (t.dir / "folder.toml").mkdir()
     (t.dir / "link.toml").symlink_to("nowhere")
-    told = t.expect(2, t.run("init")).err + t.expect(2, t.run("init", "folder")).err + t.expect(2, t.run("init", "link.toml")).err
+    told = t.expect(2, t.run("init")).err + t.expect(2, t.run("init", "folder.toml")).err + t.expect(2, t.run("init", "link.toml")).err
     told += t.expect(2, t.run("init", "argon-846")).err + t.expect(2, t.run("init", "--example", "?")).err
     told += t.expect(4, t.run("init", "nowhere/deck.toml")).err
     t.golden(told)
