@@ -90,7 +90,7 @@ def init_replaces_nothing_unasked(t):
     told += t.expect(4, t.run("init", "nowhere/deck.toml")).err
     t.golden(told)
     t.equal(t.read("first.toml"), "mine\n", "first.toml")
-    t.equal(t.files(), ["first.toml", "folder", "link.toml"], "files")
+    t.equal(t.files(), ["first.toml", "folder.toml", "link.toml"], "files")
     t.run_well("init", "--force")
     t.check(t.read("first.toml") != "mine\n", "first.toml was kept with --force")
 
