@@ -49,9 +49,10 @@ std::vector<const Value*> tables_of(const KeyContext& context, const Value& valu
 void report_missing(const KeyContext& context, const Location& where) {
     const Kind kind = context.key.kind;
     // The type says more here than the range of the components; what a quantity means has an example.
-    const std::string hint = kind == Kind::vector     ? ""
-                             : kind == Kind::quantity ? context.key.meaning_text
-                                                      : allowed_hint(context.key);
+    const bool has_example = kind == Kind::quantity && !context.key.meaning_text.empty();
+    const std::string hint = kind == Kind::vector ? ""
+                             : has_example        ? context.key.meaning_text
+                                                  : allowed_hint(context.key);
     context.diagnostics.error(
         where,
         fmt::format("missing {} '{}' in {}", is_table_kind(kind) ? "table" : "key", context.key.name, context.title),

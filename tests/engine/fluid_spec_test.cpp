@@ -91,7 +91,7 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[1].thermostat = thermostat("langevin");
                    s.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}});
-                   s.analyses = {analysis("rdf")};
+                   s.analyses = {analysis("msd")};
                }),
                Contains("a box that stays as it is"));
     CHECK_THAT(complaint([](FluidSpec& s) {

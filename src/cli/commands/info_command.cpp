@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <system_error>
 
 #include "ljmd/cli/command.hpp"
 #include "ljmd/cli/deck_options.hpp"
@@ -20,6 +19,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/program_module.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -99,10 +99,9 @@ std::filesystem::path python_path() {
     } catch (const InputError&) {  // the program alone was copied
     }
     for (const fs::path& package : packages) {
-        std::error_code absent;
-        for (const fs::directory_entry& entry : fs::directory_iterator(package, absent)) {
-            if (entry.path().filename().string().starts_with("_core.") && entry.path().extension() == ".so") {
-                return fs::canonical(package).parent_path();
+        for (const fs::path& file : files::is_directory(package) ? files::list(package) : std::vector<fs::path>()) {
+            if (file.filename().string().starts_with("_core.") && file.extension() == ".so") {
+                return files::canonical(package).parent_path();
             }
         }
     }

@@ -14,7 +14,7 @@ TEST_CASE("init writes an example, and says how it is run") {
     CHECK_THAT(said([&] {
                    command({"init", file});
                }).out,
-               Catch::StartsWith(file + "\n") && Contains("ljmd run " + file));
+               Catch::StartsWith(file + ": the example 'first'\n") && Contains("ljmd run " + file));
     CHECK(content_of(file) == example_deck("first").text);
     CHECK_THROWS_AS(command({"init", file, "--example", "pendulum"}), OutputRefused);
     CHECK(content_of(file) == example_deck("first").text);

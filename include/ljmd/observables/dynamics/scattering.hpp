@@ -81,6 +81,8 @@ class Scattering : public Analysis {
     void add_self(Phases phases, const Execution& execution);
     void add_to_modes(const Eigen::VectorXd& functions);
     [[nodiscard]] std::optional<DataTable> modes() const;
+    static constexpr Index functions = 4;  ///< F, C_L, C_T, S
+    [[nodiscard]] static Index collective_width(const LagTimes& lags);
     [[nodiscard]] Eigen::VectorXd modes_of(const Eigen::VectorXd& collective) const;
     [[nodiscard]] Eigen::VectorXd diffusion_of(const Eigen::VectorXd& self) const;
     [[nodiscard]] Eigen::VectorXd smoothed_spectrum(const Eigen::VectorXd& correlation) const;

@@ -35955,7 +35955,7 @@ void main() {
           "p",
           { class: "caption" },
           this.data.words ? `${pretty(this.data.words)} ` : null,
-          `${number(count2)} atoms, ${this.atoms.frames} ${this.atoms.frames === 1 ? "frame" : "frames"}.`
+          `${number(count2)} atoms.`
         )
       );
     }

@@ -69,7 +69,7 @@ export class AtomViewer {
         return element("div", { class: "viewer" }, element("div", { class: "stage-frame" }, this.stage, this.thin), stillOf,
             this.playback.node, this.controls, this.legend, this.info,
             element("p", { class: "caption" }, this.data.words ? `${pretty(this.data.words)} ` : null,
-                `${number(count)} atoms, ${this.atoms.frames} ${this.atoms.frames === 1 ? "frame" : "frames"}.`));
+                `${number(count)} atoms.`));
     }
 
     begin() {
