@@ -98,7 +98,8 @@ class Session {
                 result_.trajectory.back().force_difference = largest_force_difference(frame);
             }
         }
-        for (const std::string& words : diagnose_trajectory(trajectory, problem_.fluid.potential, agreement_)) {
+        for (const std::string& words :
+             diagnose_trajectory(trajectory, problem_.fluid, *force_field(), own_.execution, agreement_)) {
             note(words);
         }
         const JudgedFrame& first = trajectory.frames.front();
