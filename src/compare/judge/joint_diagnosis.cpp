@@ -39,10 +39,6 @@ double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return sum;
 }
 
-double norm(const std::vector<Vec3>& a) {
-    return std::sqrt(dot(a, a));
-}
-
 /// An answer that is to be explained.
 class Case {
   public:
@@ -52,7 +48,7 @@ class Case {
           answer_(answer),
           tolerance_(tolerance),
           parts_(expected, answer, tolerance),
-          range_(std::min(farthest * fluid.potential.cutoff().radius, 0.5 * fluid.edges.minCoeff())),
+          range_(farthest * fluid.potential.cutoff().radius),  // an engine takes nearest images beyond L/2, too
           pairs_(fluid.positions, fluid.edges, range_) {}
 
     /// The mistake that explains most.
@@ -265,8 +261,8 @@ class Case {
         const double cutoff = fluid_.potential.cutoff().radius;
         const auto sums = [&](double radius) { return pairs_.sums(with_cutoff(fluid_.potential, radius)); };
         const std::string& truncation = fluid_.potential.truncation();
-        const auto [low, high] =
-            truncation == "cut" || truncation == "shifted" ? bracket_of_cutoff() : bracket_by_grid(sums);
+        const bool is_stepped = truncation == "cut" || truncation == "shifted";
+        const auto [low, high] = is_stepped ? bracket_of_cutoff() : bracket_by_grid(sums);
         const double refined =
             truncation == "cut" ? 0.5 * (low + high)
                                 : golden_section(
@@ -277,9 +273,10 @@ class Case {
                                       low, high);
         if (std::abs(refined - cutoff) > 1e-12) {
             offer(sums(refined),
-                  fmt::format("other cutoff: energy, virial and forces are those of a cutoff between {:.8g} "
-                              "and {:.8g}, where it is {:g}",
-                              low, high, cutoff));
+                  fmt::format("other cutoff: energy, virial and forces are those of a cutoff {}, where it is {:g}",
+                              is_stepped ? fmt::format("between {:.8g} and {:.8g}", low, high)
+                                         : fmt::format("of {:.8g}", refined),
+                              cutoff));
         }
     }
 
@@ -366,7 +363,8 @@ AnswerPart AnswerParts::virial(const PairSums& sums) const {
 }
 
 AnswerPart AnswerParts::forces(const PairSums& sums) const {
-    return {std::sqrt(squared_distance(answer_.forces, sums.forces)), tolerance_ * norm(expected_.sums.forces)};
+    return {std::sqrt(squared_distance(answer_.forces, sums.forces)),
+            tolerance_ * std::sqrt(dot(expected_.sums.forces, expected_.sums.forces))};
 }
 
 std::optional<double> AnswerParts::unexplained(const PairSums& sums) const {

@@ -97,6 +97,8 @@ std::optional<std::string> wrong_energy(const Fluid& fluid, const ExpectedPoint&
              {pairs + full_tail, "tail too many: a tail correction is added, which the problem does not have"},
              {right / atoms, "energy of one atom: the energy is divided by the number of atoms"},
              {0.25 * pairs + tail, "quarter of the energy: the 4 of 4 epsilon is left out for the pairs"},
+             {0.25 * (pairs + step) - step + tail,
+              "quarter of the energy: the 4 of 4 epsilon is left out, not in the shift"},
              {0.25 * right, "quarter of the energy: the 4 of 4 epsilon is left out"},
              {2.0 * pairs + tail, "pairs twice: every pair is counted twice in the energy"},
              {2.0 * right, "pairs twice: every pair is counted twice in the energy"},

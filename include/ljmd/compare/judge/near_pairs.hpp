@@ -34,7 +34,7 @@ class NearPairs {
 
     /// All pairs closer than `range`, by their nearest images; O(N^2).
     /// @param positions  anywhere
-    /// @pre range <= half the shortest edge
+    /// Beyond half the shortest edge other images are missing, as with programs that know the nearest one alone.
     NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range);
 
     /// Assumptions of a sum.
