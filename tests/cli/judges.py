@@ -231,8 +231,8 @@ def blows_up(t):
     t.deck()
     result = t.expect(5, t.run("compare", "deck.toml", "--with", engine(t, ("np.sum(f * d), forces", "np.sum(f * d), -forces")), *STEPS))
     told = " ".join(result.out.split())
-    for words in ("forces: all have the wrong sign", "the engine blew up: frame 4 (step 100): a coordinate must be a finite number, found 'nan'; the frames before it",
-                  "step 10: positions", "frames.xyz: frame 4 (step 100): finite, and near the box nan", "thermo.csv: all rows are finite nan", "; the rows before it"):
+    for words in ("forces: all have the wrong sign", "the engine blew up: frame 4 (step 100): ", "; the frames before it are judged",
+                  "step 10: positions", "frames.xyz: frame 4 (step 100): finite, and near the box nan"):
         t.contains(told, words)
     t.contains(result.err, "differ")
 
@@ -240,7 +240,7 @@ def blows_up(t):
 def rows_elsewhere(t):
     """Rows that are not at multiples of thermo_every are compared one by one, and no false reason is given why averages are not judged."""
     t.deck()
-    rows = ("step % run['thermo_every'] == 0 and", "step % run['thermo_every'] == 1 and")
+    rows = ('step % run["thermo_every"] == 0 and', 'step % run["thermo_every"] == 1 and')
     told = " ".join(t.run_well("compare", "deck.toml", "--with", engine(t, rows), *STEPS).out.split())
     for words in ("no row of thermo.csv is at a multiple of thermo_every, 5: its steps begin with 1", "thermo.csv, steps 1 to 36: potential energy"):
         t.contains(told, words)
