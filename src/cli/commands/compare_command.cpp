@@ -101,8 +101,9 @@ class CompareCommand : public Command {
             ->delimiter(',')
             ->check(CLI::Range(1, max_steps_compared));
         command
-            .add_option("--parts", compared_.parts,
-                        "what to compare of point,trajectory,averages,speed; all by default")
+            .add_option(
+                "--parts", compared_.parts,
+                "what to compare of point,trajectory,averages,speed; all by default, of an engine all but speed")
             ->type_name("PART,...")
             ->delimiter(',')
             ->check(CLI::IsMember(crosscheck_parts()));

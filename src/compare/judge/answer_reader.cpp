@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <set>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/text_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 
@@ -142,7 +144,7 @@ void check_forces(const fs::path& path, Index number, const Frame& frame) {
         return;
     }
     const auto k = static_cast<std::size_t>(bad - frame.forces.begin());
-    throw DataError(fmt::format("{}: frame {}: atom {} has a force that is not finite", path.string(), number,
+    throw NotFinite(fmt::format("{}: frame {}: atom {} has a force that is not finite", path.string(), number,
                                 frame.ids.empty() ? static_cast<Index>(k) + 1 : frame.ids[k]));
 }
 
@@ -161,23 +163,56 @@ Index step_of(const fs::path& path, Index number, const Configuration& configura
     return static_cast<Index>(std::llround(steps));
 }
 
+/// A message without what it says before some words, or all of it.
+std::string after(const std::string& message, const std::string& words) {
+    const std::size_t place = message.find(words);
+    return place == std::string::npos ? message : message.substr(place + words.size());
+}
+
+/// The next frame; false after the last one. What a message advises that no engine can do is left out.
+bool next_frame(TrajectoryReader& reader, Frame& frame) {
+    try {
+        return reader.next(frame);
+    } catch (const NotFinite&) {
+        throw;
+    } catch (const DataError& error) {
+        const std::string message = error.what();
+        throw DataError(message.substr(0, message.find(" It can be given beside the file")));
+    }
+}
+
 /// The frames of a file that are wanted: an engine may write any number of them, which are read one by one. A file that
 /// ends within a frame is refused: an engine that stops there has failed.
 /// @param is_wanted  called with each frame and its number
+/// @throws NotFinite  as reading does, with the number of the frame
 template <class IsWanted>
 std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std::vector<std::string>& warnings,
-                               const IsWanted& is_wanted) {
+                               const IsWanted& is_wanted,
+                               const std::function<void(Index, const std::string&)>& lost = nullptr) {
     const auto atoms = static_cast<Index>(problem.fluid.masses.size());
     const auto reader = open_trajectory(path, std::nullopt);
     std::vector<Frame> frames;
-    for (Frame frame; reader->next(frame); frame = {}) {
+    const auto next_whole = [&](Frame& frame) {
+        const Index number = reader->frames() + 1;
+        try {
+            const bool is_there = next_frame(*reader, frame);
+            if (is_there) check_forces(path, reader->frames(), frame);
+            return is_there;
+        } catch (const NotFinite& error) {
+            if (!lost || number == 1) {
+                throw;
+            }
+            lost(number, after(error.what(), fmt::format("frame {}: ", number)));
+            return false;
+        }
+    };
+    for (Frame frame; next_whole(frame); frame = {}) {
         const Index number = reader->frames();
         if (std::ssize(frame.configuration.positions) != atoms) {
             throw DataError(fmt::format("{}: frame {} has {} atoms, the problem has {}", path.string(), number,
                                         frame.configuration.positions.size(), atoms));
         }
         check_box(path, number, frame.configuration.edges, problem.fluid.edges);
-        check_forces(path, number, frame);
         if (is_wanted(frame, number)) {
             frames.push_back(std::move(frame));
         }
@@ -196,12 +231,28 @@ std::vector<double> optional_column(const DataTable& table, const std::string& n
                                                                          : full_column(table, name, path);
 }
 
-ThermoAnswer read_thermo(const fs::path& path) {
+/// @throws DataError  the header has no column `step`
+void check_columns(const fs::path& path) {
+    const std::vector<std::string> columns = csv_columns(path);
+    if (std::ranges::find(columns, "step") == columns.end()) {
+        throw DataError(fmt::format("{}: no column 'step': the columns found are '{}'; separate them with commas",
+                                    path.string(), printable(fmt::format("{}", fmt::join(columns, "', '")), 300)));
+    }
+}
+
+ThermoAnswer read_thermo(const fs::path& path, std::vector<Loss>& losses) {
     constexpr std::uintmax_t most = std::uintmax_t{256} << 20U;  // bytes: millions of rows
     if (files::size_of(path).value_or(0) > most) {
         throw DataError(fmt::format("{} is larger than {} MiB: write fewer rows", path.string(), most >> 20U));
     }
-    const DataTable table = read_csv(path);
+    check_columns(path);
+    std::string loss;
+    const DataTable table = read_finite_csv(path, loss);
+    if (!loss.empty()) {
+        losses.push_back({"thermo.csv: all rows are finite",
+                          fmt::format("the engine blew up: in line {}; the rows before it are judged",
+                                      after(loss, path.filename().string() + ":"))});
+    }
     if (table.rows.empty()) {
         throw DataError(fmt::format("{} has no row", path.string()));
     }
@@ -244,15 +295,28 @@ Answer read_answer(const fs::path& directory, const Problem& problem) {
     }
     if (const auto path = problem.wants("trajectory") ? frames_file(directory, "frames") : std::nullopt) {
         std::set<Index> seen;
-        answer.frames = read_frames(*path, problem, answer.warnings, [&](Frame& frame, Index number) {
-            const Index step = step_of(*path, number, frame.configuration, problem.stage.time_step);
-            frame.configuration.step = step;
-            // The first one shows that there are frames, whatever their steps.
-            return number == 1 || (std::ranges::binary_search(problem.frames, step) && seen.insert(step).second);
-        });
+        Index last = 0;
+        answer.frames = read_frames(
+            *path, problem, answer.warnings,
+            [&](Frame& frame, Index number) {
+                const Index step = step_of(*path, number, frame.configuration, problem.stage.time_step);
+                frame.configuration.step = last = step;
+                // The first one shows that there are frames, whatever their steps.
+                return number == 1 || (std::ranges::binary_search(problem.frames, step) && seen.insert(step).second);
+            },
+            [&](Index number, const std::string& why) {
+                // its step, where the frames before it are those that are asked for
+                const auto place = static_cast<std::size_t>(number - 1);
+                const bool is_known = place < problem.frames.size() && problem.frames[place - 1] == last;
+                const std::string which = is_known ? fmt::format("frame {} (step {})", number, problem.frames[place])
+                                                   : fmt::format("frame {}, after step {}", number, last);
+                answer.losses.push_back(
+                    {fmt::format("{}: {}: finite, and near the box", path->filename().string(), which),
+                     fmt::format("the engine blew up: {}: {}; the frames before it are judged", which, why)});
+            });
     }
     if (const fs::path path = directory / "thermo.csv"; problem.wants("averages") && files::exists(path)) {
-        answer.thermo = read_thermo(path);
+        answer.thermo = read_thermo(path, answer.losses);
     }
     return answer;
 }

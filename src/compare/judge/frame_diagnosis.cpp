@@ -7,6 +7,7 @@
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/net_force.hpp"
 #include "ljmd/compare/judge/velocity_diagnosis.hpp"
+#include "method_diagnosis.hpp"
 #include "missing_pairs.hpp"
 #include "start_diagnosis.hpp"
 
@@ -107,6 +108,9 @@ std::string another_order(const JudgedTrajectory& trajectory, const Agreement& a
 
 /// Positions that differ where all forces are right.
 std::string integration(const JudgedTrajectory& trajectory, const Agreement& agreement) {
+    if (starts_with_other_velocities(trajectory, agreement)) {
+        return "";  // which take atoms elsewhere
+    }
     for (const JudgedFrame& frame : trajectory.frames) {
         if (!frame.forces.empty() && !has_right_forces(frame, agreement.largest_force)) {
             return "";
@@ -126,7 +130,8 @@ std::string integration(const JudgedTrajectory& trajectory, const Agreement& agr
 
 }  // namespace
 
-std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory, const PairPotential& potential,
+std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory, const Fluid& fluid,
+                                             ForceField& force_field, const Execution& execution,
                                              const Agreement& agreement) {
     if (const std::string words = another_order(trajectory, agreement); !words.empty()) {
         return {words};  // everything else follows from it
@@ -142,10 +147,16 @@ std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
     }
     const JudgedFrame* start = frame_of(trajectory, 0);
     if (start == nullptr || start->forces.empty() || has_right_forces(*start, agreement.largest_force)) {
-        note(first_step(trajectory, agreement));  // else it is the forces that take the atoms elsewhere
+        // else it is the forces that take the atoms elsewhere
+        note(wrong_method(trajectory, fluid, force_field, execution, agreement));
+        if (words.empty()) {
+            note(first_step(trajectory, agreement));
+        }
     }
-    note(diagnose_velocities(trajectory, agreement).value_or(""));
-    note(stale_list(trajectory, potential, agreement.largest_force));
+    if (words.empty() || starts_with_other_velocities(trajectory, agreement)) {
+        note(diagnose_velocities(trajectory, agreement).value_or(""));
+    }
+    note(stale_list(trajectory, fluid.potential, agreement.largest_force));
     if (words.empty()) {
         note(integration(trajectory, agreement));
     }

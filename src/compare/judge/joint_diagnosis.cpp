@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string_view>
 
 #include "explanations.hpp"
 #include "ljmd/compare/judge/near_pairs.hpp"
@@ -19,6 +21,7 @@ namespace {
 /// Cutoffs and scales of length are looked for up to these factors.
 constexpr double farthest = 1.3;
 constexpr double largest_scale = 1.2;
+constexpr double largest_scale_of_edges = 1.02;
 
 double squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double sum = 0.0;
@@ -36,10 +39,6 @@ double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return sum;
 }
 
-double norm(const std::vector<Vec3>& a) {
-    return std::sqrt(dot(a, a));
-}
-
 /// An answer that is to be explained.
 class Case {
   public:
@@ -49,7 +48,7 @@ class Case {
           answer_(answer),
           tolerance_(tolerance),
           parts_(expected, answer, tolerance),
-          range_(std::min(farthest * fluid.potential.cutoff().radius, 0.5 * fluid.edges.minCoeff())),
+          range_(farthest * fluid.potential.cutoff().radius),  // an engine takes nearest images beyond L/2, too
           pairs_(fluid.positions, fluid.edges, range_) {}
 
     /// The mistake that explains most.
@@ -58,8 +57,12 @@ class Case {
         missing_images();
         other_cutoff();
         sigma();
+        other_truncations();
+        other_forces();
+        left_out_neighbours();
         offer_odd_pairs(fluid_, expected_, answer_, parts_, tolerance_, known_);
         offer_digits_of_start(fluid_, parts_, known_);
+        other_edges();
         return known_.best();
     }
 
@@ -139,7 +142,7 @@ class Case {
                 return moves ? fluid_.potential : with_cutoff(fluid_.potential, cutoff / s);
             };
             const auto sums = [&](double s) { return pairs_.sums(potential(s), {.sigma = s}); };
-            const double s = best_scale([&](double scale) { return distance(sums(scale)); },
+            const double s = best_scale([&](double scale) { return distance(sums(scale)); }, 0.8,
                                         moves ? std::min(largest_scale, range_ / cutoff) : largest_scale);
             offer(sums(s),
                   fmt::format("sigma off: energy, virial and forces are those of a sigma of {:.10g}, where it is "
@@ -148,11 +151,99 @@ class Case {
         }
     }
 
+    /// The box is larger or smaller, in all directions or in one; the atoms are where they are.
+    void other_edges() {
+        const NearPairs pairs(fluid_.positions, fluid_.edges, largest_scale_of_edges * range_);
+        for (int axis = -1; axis < 3; ++axis) {
+            const auto sums = [&](double s) {
+                const Vec3 by = (s - 1.0) * fluid_.edges;
+                return pairs.with_longer_edges(axis < 0 ? by : Vec3(by[axis] * Vec3::Unit(axis)))
+                    .sums(fluid_.potential);
+            };
+            const double s = best_scale([&](double scale) { return distance(sums(scale)); },
+                                        2.0 - largest_scale_of_edges, largest_scale_of_edges);
+            offer(sums(s),
+                  fmt::format("edges of the box: energy, virial and forces are those of a box whose {} {:.8g} "
+                              "times as long",
+                              axis < 0 ? std::string("edges are") : fmt::format("edge {} is", "xyz"[axis]), s));
+        }
+    }
+
+    /// Ours with the parts of other sums.
+    [[nodiscard]] PairSums with_energy_of(const PairSums& other) const {
+        return {other.potential_energy, expected_.sums.virial, expected_.sums.forces};
+    }
+    [[nodiscard]] PairSums with_forces_of(const PairSums& other) const {
+        return {expected_.sums.potential_energy, other.virial, other.forces};
+    }
+
+    /// Energy, or forces, or both are cut off in another way. That an energy is shifted or not is told elsewhere.
+    void other_truncations() {
+        const PairPotential& potential = fluid_.potential;
+        const std::string& ours = potential.truncation();
+        for (const char* theirs : {"cut", "shifted", "force-shifted"}) {
+            if (ours == theirs ||
+                (ours != "force-shifted" && ours != "switched" && std::string_view(theirs) != "force-shifted")) {
+                continue;
+            }
+            const PairSums sums = pairs_.sums(
+                PairPotential::make(potential.formula(), theirs, potential.cutoff(), potential.parameters()));
+            const auto words = [&](const char* what, const char* rest) {
+                return fmt::format("truncation: {} of a potential that is {}, where it is to be {}{}", what, theirs,
+                                   ours, rest);
+            };
+            offer(with_energy_of(sums), words("the energy is that", "; forces are right"));
+            offer(with_forces_of(sums), words("forces and virial are those", "; the energy is right"));
+            offer(sums, words("energy, virial and forces are those", ""));
+        }
+    }
+
+    /// Forces of a wrong formula, whose virial is theirs, or right.
+    void other_forces() {
+        const PairPotential& potential = fluid_.potential;
+        const auto offer_forces = [&](const std::function<double(const NearPairs::Pair&)>& w, const char* words) {
+            PairSums sums = pairs_.sums_of([&](const NearPairs::Pair& pair) { return PairTerm<double>{0.0, w(pair)}; });
+            offer(with_forces_of(sums), words);
+            sums.virial = expected_.sums.virial;
+            offer(with_forces_of(sums), words);
+        };
+        const auto times_power = [&](int power) {
+            return [&potential, power](const NearPairs::Pair& pair) {
+                return potential(pair.distance).w * std::pow(pair.distance, power);
+            };
+        };
+        offer_forces(times_power(1), "forces: r_ij is not divided by r; f_ij = -u'(r) r_ij/r");
+        offer_forces(times_power(2), "forces: they are r^2 times too large; f_ij = -u'(r) r_ij/r");
+        offer_forces(times_power(-1), "forces: they are divided by r once too often; f_ij = -u'(r) r_ij/r");
+        offer_forces(times_power(-2), "forces: they are divided by r^2 once too often; f_ij = -u'(r) r_ij/r");
+        const std::string& truncation = potential.truncation();
+        if (potential.formula() != "lennard-jones" || (truncation != "cut" && truncation != "shifted")) {
+            return;
+        }
+        const auto by_powers = [&](double a, double b) {  // a r^-12 + b r^-6, of the derivative
+            return [=, radius = potential.cutoff().radius](const NearPairs::Pair& pair) {
+                const double s2 = 1.0 / (pair.distance * pair.distance);
+                const double s6 = s2 * s2 * s2;
+                return pair.distance < radius ? (a * s6 * s6 + b * s6) * s2 : 0.0;
+            };
+        };
+        offer_forces(by_powers(24.0, -24.0), "forces: a 2 is forgotten in 24 (2 r^-12 - r^-6) r_ij/r^2");
+        offer_forces(by_powers(48.0, -48.0), "forces: a 1/2 is forgotten in 48 (r^-12 - r^-6/2) r_ij/r^2");
+        offer_forces(by_powers(48.0, 24.0), "forces: the sign of r^-6 is wrong in 24 (2 r^-12 - r^-6) r_ij/r^2");
+    }
+
+    /// A loop over j that begins one too late.
+    void left_out_neighbours() {
+        offer(pairs_.sums_of([&](const NearPairs::Pair& pair) {
+            return pair.j == pair.i + 1 ? PairTerm<double>{} : fluid_.potential(pair.distance);
+        }),
+              "neighbouring ids: all pairs of the ids i and i + 1 are left out, all others are right");
+    }
+
     /// The scale of length with the smallest distance: by a grid, then by golden section.
     template <class Distance>
-    [[nodiscard]] static double best_scale(const Distance& off, double highest) {
+    [[nodiscard]] static double best_scale(const Distance& off, double lowest, double highest) {
         constexpr int steps = 40;
-        constexpr double lowest = 0.8;
         const double width = (highest - lowest) / steps;
         double best = 1.0;
         double smallest = off(1.0);
@@ -170,8 +261,8 @@ class Case {
         const double cutoff = fluid_.potential.cutoff().radius;
         const auto sums = [&](double radius) { return pairs_.sums(with_cutoff(fluid_.potential, radius)); };
         const std::string& truncation = fluid_.potential.truncation();
-        const auto [low, high] =
-            truncation == "cut" || truncation == "shifted" ? bracket_of_cutoff() : bracket_by_grid(sums);
+        const bool is_stepped = truncation == "cut" || truncation == "shifted";
+        const auto [low, high] = is_stepped ? bracket_of_cutoff() : bracket_by_grid(sums);
         const double refined =
             truncation == "cut" ? 0.5 * (low + high)
                                 : golden_section(
@@ -182,9 +273,10 @@ class Case {
                                       low, high);
         if (std::abs(refined - cutoff) > 1e-12) {
             offer(sums(refined),
-                  fmt::format("other cutoff: energy, virial and forces are those of a cutoff between {:.8g} "
-                              "and {:.8g}, where it is {:g}",
-                              low, high, cutoff));
+                  fmt::format("other cutoff: energy, virial and forces are those of a cutoff {}, where it is {:g}",
+                              is_stepped ? fmt::format("between {:.8g} and {:.8g}", low, high)
+                                         : fmt::format("of {:.8g}", refined),
+                              cutoff));
         }
     }
 
@@ -271,7 +363,8 @@ AnswerPart AnswerParts::virial(const PairSums& sums) const {
 }
 
 AnswerPart AnswerParts::forces(const PairSums& sums) const {
-    return {std::sqrt(squared_distance(answer_.forces, sums.forces)), tolerance_ * norm(expected_.sums.forces)};
+    return {std::sqrt(squared_distance(answer_.forces, sums.forces)),
+            tolerance_ * std::sqrt(dot(expected_.sums.forces, expected_.sums.forces))};
 }
 
 std::optional<double> AnswerParts::unexplained(const PairSums& sums) const {

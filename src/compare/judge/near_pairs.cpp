@@ -59,6 +59,28 @@ PairSums NearPairs::sums(const PairPotential& potential, const Assumed& assumed)
     return result;
 }
 
+PairSums NearPairs::sums_of(const std::function<PairTerm<double>(const Pair&)>& term) const {
+    PairSums result;
+    result.forces.assign(atoms_, Vec3::Zero());
+    for (const Pair& pair : pairs_) {
+        const auto [u, w] = term(pair);
+        result.potential_energy += u;
+        result.virial += w * pair.distance * pair.distance;
+        result.forces[pair.i] += w * pair.separation;
+        result.forces[pair.j] -= w * pair.separation;
+    }
+    return result;
+}
+
+NearPairs NearPairs::with_longer_edges(const Vec3& by) const {
+    NearPairs changed = *this;
+    for (Pair& pair : changed.pairs_) {
+        pair.separation -= pair.images.cwiseProduct(by);
+        pair.distance = pair.separation.norm();
+    }
+    return changed;
+}
+
 PairPotential with_cutoff(const PairPotential& potential, double radius) {
     Cutoff cutoff = potential.cutoff();
     cutoff.radius = radius;

@@ -1,5 +1,9 @@
 #include "ljmd/compare/judge/own_run.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 #include "ljmd/engine/time_loop.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -20,20 +24,6 @@ std::vector<Vec3> by_id(const State& state, const Vector& vector) {
 
 std::vector<Vec3> forces_of(const State& state) {
     return by_id(state, [&](Index i) -> Vec3 { return state.forces().col(i); });
-}
-
-/// Forces of ljmd at positions anywhere.
-std::vector<Vec3> forces_at(const Fluid& fluid, const std::vector<Vec3>& positions, ForceField& force_field,
-                            const Execution& execution) {
-    State state(std::ssize(positions), Box(fluid.edges), execution);
-    auto r = state.write_positions();
-    for (Index i = 0; i < state.count(); ++i) {
-        const Vec3& place = positions[static_cast<std::size_t>(i)];
-        r.col(i) = state.snapped(place - state.box().crossings(place).cwiseProduct(fluid.edges));
-    }
-    state.wrap();
-    force_field.evaluate(state, Request::forces);
-    return forces_of(state);
 }
 
 /// Samples the state between steps.
@@ -76,6 +66,19 @@ class Sampler : public StepObserver {
 };
 
 }  // namespace
+
+std::vector<Vec3> forces_at(const Fluid& fluid, const std::vector<Vec3>& positions, ForceField& force_field,
+                            const Execution& execution) {
+    State state(std::ssize(positions), Box(fluid.edges), execution);
+    auto r = state.write_positions();
+    for (Index i = 0; i < state.count(); ++i) {
+        const Vec3& place = positions[static_cast<std::size_t>(i)];
+        r.col(i) = state.snapped(place - state.box().crossings(place).cwiseProduct(fluid.edges));
+    }
+    state.wrap();
+    force_field.evaluate(state, Request::forces);
+    return forces_of(state);
+}
 
 void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory) {
     State state = state_of(fluid, execution);
@@ -159,6 +162,36 @@ double half_step_kinetic_energy(const Fluid& fluid, const std::vector<Vec3>& for
         twice += fluid.masses[i] * (fluid.velocities[i] + t / fluid.masses[i] * forces[i]).squaredNorm();
     }
     return 0.5 * twice;
+}
+
+void keep_common_rows(RunSamples& ours, Index every, RunSamples& theirs, const std::vector<Index>& steps) {
+    static constexpr std::array columns{&RunSamples::potential_energy, &RunSamples::kinetic_energy,
+                                        &RunSamples::pressure, &RunSamples::volume};
+    const Index samples = std::ssize(ours.kinetic_energy);
+    std::size_t rows = 0;
+    for (const auto column : columns) {
+        rows = std::max(rows, (theirs.*column).size());
+    }
+    const std::size_t skipped = steps.size() - rows;
+    std::vector<std::size_t> of_ours;
+    std::vector<std::size_t> of_theirs;
+    for (std::size_t k = skipped; k < steps.size(); ++k) {
+        if (steps[k] % every == 0 && steps[k] / every <= samples) {
+            of_ours.push_back(static_cast<std::size_t>(steps[k] / every - 1));
+            of_theirs.push_back(k - skipped);
+        }
+    }
+    const auto keep = [](std::vector<double>& column, const std::vector<std::size_t>& kept) {
+        if (!column.empty()) {
+            std::vector<double> values;
+            std::ranges::transform(kept, std::back_inserter(values), [&](std::size_t row) { return column[row]; });
+            column = std::move(values);
+        }
+    };
+    for (const auto column : columns) {
+        keep(ours.*column, of_ours);
+        keep(theirs.*column, of_theirs);
+    }
 }
 
 }  // namespace ljmd

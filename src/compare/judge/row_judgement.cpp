@@ -29,6 +29,9 @@ struct Column {
     Value size;                   ///< of the terms that it is the sum of
     double sensitivity;           ///< of it to energies
     bool has_half_steps = false;  ///< whether velocities of another time may be in it
+    double tail = 0.0;            ///< that is in it
+    Value with_freedom = {};      ///< it with a temperature of 3 N - 3 degrees of freedom in the place of 2 K
+    Value without_motion = {};    ///< it without its kinetic part
 };
 
 /// One column in the rows that are compared.
@@ -66,6 +69,7 @@ class ColumnJudgement {
             {fmt::format("thermo.csv, steps {} to {}: {}", rows_.front().step, rows_.back().step, column_.name),
              excess(*worst) * worst->noise / size, worst->noise / size});
         if (!result.checks.back().passed()) {
+            result.checks.back().name += fmt::format(", worst at {}", worst->step);
             explain(result);
         }
     }
@@ -122,15 +126,45 @@ class ColumnJudgement {
                         "half-step velocities: the kinetic energy of thermo.csv is the mean of those half a time step "
                         "earlier and later, as leapfrog gives it");
         }
+        if (column_.with_freedom) {
+            known.offer(distance([&](Index step) { return column_.with_freedom(row(step)); }),
+                        "3N against 3N-3: the pressure of thermo.csv is rho T + W/(3 V) in all rows, each with its T, "
+                        "where (2 K + W)/(3 V) is asked for; no mistake in itself");
+        }
         for (const Rounding& way : roundings()) {
             known.offer(distance([&](Index step) { return way.round(right(step)); }),
                         fmt::format("few digits: {} has {}", column, way.words));
         }
         if (const auto words = known.best()) {
             result.mistakes.push_back(*words);
-        } else if (rows_.size() >= rows_for_a_parameter) {
+        } else if (rows_.size() >= rows_for_a_parameter && !has_constant_motion(off, noise, result)) {
             explain_by_a_parameter(Explanations(off, noise, unexplained_by_a_parameter), column, result);
         }
+    }
+
+    /// Whether the kinetic part of a pressure is the same in all rows; then it says so.
+    bool has_constant_motion(double off, double noise, RowJudgement& result) const {
+        if (!column_.without_motion) {
+            return false;
+        }
+        double motion = 0.0;
+        for (const Row& of : rows_) {
+            motion += (of.value - column_.without_motion(row(of.step))) / static_cast<double>(rows_.size());
+        }
+        const OwnRow& first = row(rows_.front().step);
+        if (!(motion > 0.01 * (column_.right(first) - column_.without_motion(first)))) {
+            return false;  // it has none
+        }
+        Explanations known(off, noise, unexplained_by_a_parameter);
+        known.offer(distance([&](Index step) { return column_.without_motion(row(step)) + motion; }),
+                    fmt::format("constant temperature: the {} of thermo.csv has the kinetic part {:.8g} in all rows, "
+                                "as of a temperature that is set, where it is to have that of its own time",
+                                column_.name, motion));
+        if (const auto words = known.best()) {
+            result.mistakes.push_back(*words);
+            result.has_constant_motion = true;
+        }
+        return result.has_constant_motion;
     }
 
     void explain_by_a_parameter(Explanations known, const std::string& column, RowJudgement& result) const {
@@ -145,7 +179,12 @@ class ColumnJudgement {
         }
         const double factor = along / squares;
         known.offer(distance([&](Index step) { return column_.right(row(step)) + added; }),
-                    fmt::format("constant: {} has {:.8g} added in all rows", column, added));
+                    fmt::format("constant: {} has {:.8g} added in all rows{}", column, added,
+                                column_.tail == 0.0
+                                    ? ""
+                                    : fmt::format("; if it is of the tail correction, that would be {:.8g} instead of "
+                                                  "{:.8g}: check its formula and its sign",
+                                                  column_.tail + added, column_.tail)));
         known.offer(distance([&](Index step) { return column_.right(row(step)) * factor; }),
                     fmt::format("factor: {} is {:.8g} times the right one in all rows", column, factor));
         if (const auto words = known.best()) {
@@ -159,9 +198,9 @@ class ColumnJudgement {
     std::vector<Row> rows_;
 };
 
-}  // namespace
-
-RowJudgement judge_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ours, const RowConditions& conditions) {
+/// The rows as they are said to be.
+RowJudgement judge_said_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ours,
+                             const RowConditions& conditions) {
     const auto kinetic = [](const OwnRow& row) { return row.kinetic_energy; };
     const double kinetic_of_start = ours.front().kinetic_energy;
     const double energy_of_start = std::abs(ours.front().potential_energy);
@@ -169,7 +208,8 @@ RowJudgement judge_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ou
     RowJudgement result;
     for (const Column& column :
          {Column{"potential energy", table.potential_energy, [](const OwnRow& row) { return row.potential_energy; },
-                 [&](const OwnRow& row) { return std::max(energy_of_start, std::abs(row.potential_energy)); }, 1.0},
+                 [&](const OwnRow& row) { return std::max(energy_of_start, std::abs(row.potential_energy)); }, 1.0,
+                 false, conditions.tail_energy},
           Column{"kinetic energy", table.kinetic_energy, kinetic,
                  [&](const OwnRow& row) { return std::max(kinetic_of_start, row.kinetic_energy); }, 1.0, true},
           Column{"pressure", table.pressure, [](const OwnRow& row) { return row.pressure; },
@@ -177,11 +217,78 @@ RowJudgement judge_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ou
                      return std::abs(row.pressure) +
                             2.0 * std::max(kinetic_of_start, row.kinetic_energy) / thrice_volume;
                  },
-                 virial_over_force / thrice_volume},
+                 virial_over_force / thrice_volume, false, conditions.tail_pressure,
+                 [&](const OwnRow& row) {
+                     return row.pressure +
+                            2.0 * row.kinetic_energy / thrice_volume / (static_cast<double>(conditions.atoms) - 1.0);
+                 },
+                 [&](const OwnRow& row) { return row.pressure - 2.0 * row.kinetic_energy / thrice_volume; }},
           Column{"volume", table.volume, [&](const OwnRow&) { return conditions.volume; },
                  [&](const OwnRow&) { return conditions.volume; }, 0.0}}) {
         if (!column.values.empty()) {
             ColumnJudgement(column, table, ours, conditions).judge(result);
+        }
+    }
+    return result;
+}
+
+bool has_failures(const RowJudgement& judged) {
+    return std::ranges::any_of(judged.checks, [](const Check& check) { return !check.passed(); });
+}
+
+/// Whether steps are 0, 1, 2, ... or 1, 2, 3, ..., where fewer are to be written.
+bool may_be_numbers_of_rows(const ThermoAnswer& table, Index every) {
+    const Index rows = std::ssize(table.steps);
+    return every > 1 && rows > 2 && table.steps.front() <= 1 && table.steps.back() - table.steps.front() == rows - 1;
+}
+
+}  // namespace
+
+Index last_compared_step(const ThermoAnswer& table, Index every, Index together) {
+    const Index last = *std::prev(std::ranges::upper_bound(table.steps, together));
+    return may_be_numbers_of_rows(table, every) ? std::min(together, last * every) : last;
+}
+
+RowJudgement judge_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ours, const RowConditions& conditions) {
+    RowJudgement judged = judge_said_rows(table, ours, conditions);
+    if (has_failures(judged) && may_be_numbers_of_rows(table, conditions.thermo_every)) {
+        ThermoAnswer meant = table;
+        for (Index& step : meant.steps) {
+            step *= conditions.thermo_every;
+        }
+        const RowJudgement by_number = judge_said_rows(meant, ours, conditions);
+        if (!by_number.checks.empty() && !has_failures(by_number)) {
+            judged.mistakes = {
+                fmt::format("row numbers: the column step of thermo.csv counts rows; its values are "
+                            "those of the steps {}, {}, ...",
+                            meant.steps[0], meant.steps[1])};
+            judged.others.clear();
+        }
+    }
+    return judged;
+}
+
+RowJudgement judge_temperatures(const ThermoAnswer& table, Index atoms, Index freedom, double tolerance) {
+    RowJudgement result;
+    if (table.temperature.empty() || table.kinetic_energy.empty() || freedom == 0) {
+        return result;
+    }
+    const auto largest_with = [&](Index of) {
+        double largest = 0.0;
+        for (std::size_t k = 0; k < table.steps.size(); ++k) {
+            const double right = 2.0 * table.kinetic_energy[k] / static_cast<double>(of);
+            largest = larger_or_nan(largest, relative_difference(table.temperature[k], right));
+        }
+        return largest;
+    };
+    result.checks.push_back(
+        {"thermo.csv: temperature and 2 K/f, largest difference", largest_with(freedom), tolerance});
+    for (const auto& [of, name] : {std::pair(3 * atoms, "3N"), std::pair(3 * atoms - 6, "3N-6")}) {
+        if (has_failures(result) && of > 0 && largest_with(of) <= tolerance) {
+            result.mistakes.push_back(fmt::format(
+                "{} against 3N-3: the temperature of thermo.csv is 2 K/{}, where f is {}; a centre of mass at rest "
+                "takes three degrees of freedom, and nothing else does in a periodic box",
+                name, of, freedom));
         }
     }
     return result;

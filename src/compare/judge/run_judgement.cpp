@@ -4,9 +4,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "ljmd/core/gsl_errors.hpp"
@@ -63,6 +61,10 @@ std::vector<double> sum_of(const std::vector<double>& x, const std::vector<doubl
     return sums;
 }
 
+std::vector<double> total_energy(const RunSamples& of) {
+    return sum_of(of.potential_energy, of.kinetic_energy, 0.0, of.kinetic_energy);
+}
+
 std::vector<double> scaled(std::vector<double> series, double factor) {
     for (double& x : series) {
         x *= factor;
@@ -101,7 +103,7 @@ class Judge {
         const double volume = mean_of(ours_.volume);
         const double effect = conditions_.same_motion ? 0.0 : conditions_.step_effect() * temperature;
         if (conditions_.same_motion && std::ssize(ours_.kinetic_energy) >= rows_of_a_walk) {
-            our_energy_ = sum_of(ours_.potential_energy, ours_.kinetic_energy, 0.0, ours_.kinetic_energy);
+            our_energy_ = total_energy(ours_);
             walk_ = energy_walk(our_energy_);
         }
         compare_means("temperature", scaled(ours_.kinetic_energy, 2.0 / our_freedom),
@@ -203,8 +205,7 @@ class Judge {
             leave_out("total energy", fmt::format("there are fewer than {} rows", rows_of_a_walk));
             return;
         }
-        const EnergyWalk theirs =
-            energy_walk(sum_of(theirs_.potential_energy, theirs_.kinetic_energy, 0.0, theirs_.kinetic_energy));
+        const EnergyWalk theirs = energy_walk(total_energy(theirs_));
         const double digits =
             conditions_.digits * (std::abs(mean_of(ours_.potential_energy)) + mean_of(ours_.kinetic_energy));
         const auto apart = [&](const char* what, double difference, double of_noise, double of_walk) {
@@ -251,6 +252,15 @@ class Judge {
         }
     }
 
+    /// Whether U + K of the engine is as good as constant beside K: at constant temperature it fluctuates more than K.
+    [[nodiscard]] bool conserves_energy() const {
+        constexpr double hardly = 0.1;
+        if (theirs_.potential_energy.size() != theirs_.kinetic_energy.size()) {
+            return false;
+        }
+        return variance_of(total_energy(theirs_)).mean < hardly * hardly * variance_of(theirs_.kinetic_energy).mean;
+    }
+
     void judge_kinetic_energy() {
         const std::vector<double>& k = theirs_.kinetic_energy;
         if (k.empty()) {
@@ -283,6 +293,12 @@ class Judge {
         const double inefficiency = static_cast<double>(mean.samples) / mean.independent_samples;
         result_.checks.push_back({"distribution of the kinetic energy from gamma(f/2), Kolmogorov and Smirnov",
                                   gamma_distance(k, 0.5 * freedom, inefficiency), max_gamma_distance});
+        if ((!(off <= limit) || !(off_variance <= limit_of_variance)) && conserves_energy()) {
+            result_.diagnoses.push_back(fmt::format(
+                "no thermostat: the total energy is conserved, where the deck holds the temperature at {:g}",
+                temperature));
+            return;
+        }
         if (!(off <= limit)) {
             const Index others = conditions_.freedom == 3 * conditions_.atoms ? degrees_of_freedom(conditions_.atoms)
                                                                               : 3 * conditions_.atoms;
@@ -290,9 +306,9 @@ class Judge {
             result_.diagnoses.push_back(
                 sigmas_from(all) < max_sigmas
                     ? fmt::format(
-                          "3N against 3N-3: the mean kinetic energy is {} T/2, not {:g} T/2: the thermostat counts "
-                          "other degrees of freedom. If it acts on the centre of mass, there are 3 N, else 3 N - 3; "
-                          "degrees_of_freedom in point.json says so where it is right",
+                          "3N against 3N-3: the mean kinetic energy is {0} T/2, not {1:g} T/2: the thermostat counts "
+                          "other degrees of freedom. There are 3 N if it acts on the centre of mass, else 3 N - 3; if "
+                          "{0} are right, state degrees_of_freedom = {0} in point.json",
                           others, freedom)
                     : fmt::format("other temperature: the mean kinetic energy is that of T = {:.5g}, where it is {:g}",
                                   2.0 * mean.mean / freedom, temperature));
@@ -315,36 +331,6 @@ class Judge {
 };
 
 }  // namespace
-
-void keep_common_rows(RunSamples& ours, Index every, RunSamples& theirs, const std::vector<Index>& steps) {
-    static constexpr std::array columns{&RunSamples::potential_energy, &RunSamples::kinetic_energy,
-                                        &RunSamples::pressure, &RunSamples::volume};
-    const Index samples = std::ssize(ours.kinetic_energy);
-    std::size_t rows = 0;
-    for (const auto column : columns) {
-        rows = std::max(rows, (theirs.*column).size());
-    }
-    const std::size_t skipped = steps.size() - rows;
-    std::vector<std::size_t> of_ours;
-    std::vector<std::size_t> of_theirs;
-    for (std::size_t k = skipped; k < steps.size(); ++k) {
-        if (steps[k] % every == 0 && steps[k] / every <= samples) {
-            of_ours.push_back(static_cast<std::size_t>(steps[k] / every - 1));
-            of_theirs.push_back(k - skipped);
-        }
-    }
-    const auto keep = [](std::vector<double>& column, const std::vector<std::size_t>& kept) {
-        if (!column.empty()) {
-            std::vector<double> values;
-            std::ranges::transform(kept, std::back_inserter(values), [&](std::size_t row) { return column[row]; });
-            column = std::move(values);
-        }
-    };
-    for (const auto column : columns) {
-        keep(ours.*column, of_ours);
-        keep(theirs.*column, of_theirs);
-    }
-}
 
 double ComparedMean::sigmas() const {
     const double difference = std::max(0.0, std::abs(ours.mean - theirs.mean) - allowed);

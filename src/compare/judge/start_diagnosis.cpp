@@ -29,22 +29,12 @@ class FirstStep {
         if (known_.is_wrong()) {
             one_atom();
             another_mass();  // where velocities say so; it has the same places as a start half a step off, if m = 1/2
-            half_step_start();
             another_time_step();
         }
         return known_.best().value_or("");
     }
 
   private:
-    void half_step_start() {
-        for (const double side : {-1.0, 1.0}) {
-            known_.offer(distance(places_, -side * 0.5 * dt_ * dt_, start_.our_forces, frame_.our_positions),
-                         fmt::format("half-step start: at step 1 the atoms are a(0) dt^2/2 {}: the velocities of the "
-                                     "start, of t = 0, were taken for those of t = {}dt/2",
-                                     side > 0.0 ? "too far" : "too near", side > 0.0 ? "-" : "+"));
-        }
-    }
-
     /// r'(1) = r(0) + v(0) dt + a(0) dt^2/(2 m), by least squares for 1/m; and v'(1) = v(0) + (F(0) + F'(1)) dt/(2 m),
     /// which tells it from a start half a step off.
     void another_mass() {

@@ -12,7 +12,6 @@ namespace ljmd {
 
 /// What the first step tells of the motion; empty if it is right, or wrong in another way:
 ///
-///     half-step start      r'(1) = r(1) +- a(0) dt^2/2: the start's velocities were taken for velocities at -+dt/2
 ///     mass                 r'(1) = r(0) + v(0) dt + F(0) dt^2/(2 m)
 ///     another time step    r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2
 ///     one atom             all others are where they are to be

@@ -35,8 +35,10 @@ Vectors changed(Vectors vectors, const Change& change) {
 /// The velocities of one frame beside ours.
 class Velocities {
   public:
-    Velocities(const JudgedFrame& frame, double time_step, double noise)
+    /// @param moves_on  whether the motion is right: velocities of another time do no harm to it
+    Velocities(const JudgedFrame& frame, double time_step, double noise, bool moves_on)
         : frame_(frame),
+          moves_on_(moves_on),
           theirs_(frame.velocities),
           ours_(frame.our_velocities),
           time_step_(time_step),
@@ -48,7 +50,9 @@ class Velocities {
         if (!known_.is_wrong()) {
             return std::nullopt;
         }
-        other_times();
+        if (moves_on_) {
+            other_times();
+        }
         factors();
         axes();
         one_atom(noise_ / std::sqrt(static_cast<double>(ours_.size())));
@@ -188,6 +192,7 @@ class Velocities {
     }
 
     const JudgedFrame& frame_;
+    bool moves_on_;
     const Vectors& theirs_;
     const Vectors& ours_;
     double time_step_;
@@ -198,13 +203,17 @@ class Velocities {
 }  // namespace
 
 std::optional<std::string> diagnose_velocities(const JudgedTrajectory& trajectory, const Agreement& agreement) {
+    const bool moves_on = std::ranges::all_of(trajectory.frames, [&](const JudgedFrame& frame) {
+        const auto limit = limit_at(agreement.positions, frame.step);
+        return !limit || frame.our_positions.empty() || largest_distance(frame, trajectory.edges) <= *limit;
+    });
     for (const JudgedFrame& frame : trajectory.frames) {
         const auto limit = velocity_limit(agreement, frame.step, trajectory.time_step);
         if (!limit || frame.velocities.empty() || frame.our_velocities.empty() ||
             !(largest_distance(frame, trajectory.edges) <= *limit_at(agreement.positions, frame.step))) {
             continue;  // where atoms are elsewhere, velocities are other ones
         }
-        if (auto words = Velocities(frame, trajectory.time_step, *limit).mistake()) {
+        if (auto words = Velocities(frame, trajectory.time_step, *limit, moves_on).mistake()) {
             return words;
         }
     }

@@ -135,9 +135,17 @@ void TextFile::require_room(Index atoms) {
                                       lines == 1 ? "line follows" : "lines follow"));
 }
 
+std::string TextFile::at(Index line, const std::string& message) const {
+    return line == 0 ? fmt::format("{}: {}", name_, message)
+                     : fmt::format("{}:{}: {}{}", name_, line, context_, message);
+}
+
 void TextFile::fail_at(Index line, const std::string& message) const {
-    if (line == 0) throw DataError(fmt::format("{}: {}", name_, message));
-    throw DataError(fmt::format("{}:{}: {}{}", name_, line, context_, message));
+    throw DataError(at(line, message));
+}
+
+void TextFile::fail_as_lost_at(Index line, const std::string& message) const {
+    throw NotFinite(at(line, message));
 }
 
 double TextFile::number(std::string_view field, std::string_view what) const {
@@ -147,7 +155,9 @@ double TextFile::number(std::string_view field, std::string_view what) const {
         fail(fmt::format("{} is outside the range of double precision: {}", what, shown(field)));
     }
     if (error != std::errc{} || !std::isfinite(value)) {
-        fail(fmt::format("{} must be a finite number, found {}", what, shown(field)));
+        const std::string words = fmt::format("{} must be a finite number, found {}", what, shown(field));
+        if (error != std::errc{}) fail(words);
+        fail_as_lost_at(line_number_, words);
     }
     return value;
 }

@@ -64,7 +64,9 @@ void check_frame(const TextFile& file, const Configuration& configuration, const
     const auto fault = find_fault(configuration);
     if (!fault) return;
     if (!fault->atom) file.fail_at(header_line, fault->message);
-    file.fail_at(order.line(*fault->atom), fmt::format("atom {} {}", order.id(*fault->atom), fault->message));
+    const std::string words = fmt::format("atom {} {}", order.id(*fault->atom), fault->message);
+    if (fault->is_lost) file.fail_as_lost_at(order.line(*fault->atom), words);
+    file.fail_at(order.line(*fault->atom), words);
 }
 
 void check_configuration(const TextFile& file, const Configuration& configuration, const AtomOrder& order,

@@ -32,8 +32,8 @@ std::string fault_of_box(const Vec3& edges) {
     return std::isnormal(edges.prod()) ? "" : "the volume of the box is outside the range of numbers";
 }
 
-/// The fault of an atom, to follow its name; empty when there is none.
-std::string fault_of_atom(const Configuration& configuration, std::size_t k) {
+/// Why an atom is lost, to follow its name; empty when it is not.
+std::string loss_of_atom(const Configuration& configuration, std::size_t k) {
     if (!configuration.positions[k].allFinite()) {
         return "has a position that is not finite in reduced units";
     }
@@ -43,6 +43,11 @@ std::string fault_of_atom(const Configuration& configuration, std::size_t k) {
     if (!configuration.velocities.empty() && !configuration.velocities[k].allFinite()) {
         return "has a velocity that is not finite in reduced units";
     }
+    return "";
+}
+
+/// The fault of an atom that is not lost, in the same way.
+std::string fault_of_atom(const Configuration& configuration, std::size_t k) {
     const double mass = configuration.masses.empty() ? 1.0 : configuration.masses[k];
     if (!std::isfinite(mass) || mass <= 0.0) {
         return fmt::format("has the mass {}; masses must be positive and finite", mass);
@@ -70,6 +75,9 @@ std::optional<ConfigurationFault> find_fault(const Configuration& configuration)
         return ConfigurationFault{std::nullopt, "the time is not finite in reduced units"};
     }
     for (std::size_t k = 0; k < configuration.positions.size(); ++k) {
+        if (const std::string loss = loss_of_atom(configuration, k); !loss.empty()) {
+            return ConfigurationFault{static_cast<Index>(k), loss, true};
+        }
         if (const std::string fault = fault_of_atom(configuration, k); !fault.empty()) {
             return ConfigurationFault{static_cast<Index>(k), fault};
         }

@@ -389,7 +389,7 @@ bool H5mdReader::read(Frame& frame) {
         forces = arranged(forces, order.rows);
     }
     if (const auto fault = find_fault(found)) {
-        fail(fault->atom ? fmt::format("atom {} {}", order.id(*fault->atom), fault->message) : fault->message);
+        fail_by(*fault, fault->atom ? order.id(*fault->atom) : 0);
     }
     frame = {.configuration = std::move(found), .ids = order.ids};
     frame.forces = std::move(forces);

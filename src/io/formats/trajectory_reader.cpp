@@ -65,6 +65,19 @@ void TrajectoryReader::check_like_first(const Frame& frame) {
     }
 }
 
+void TrajectoryReader::fail_by(const ConfigurationFault& fault, Index id) const {
+    std::string message;
+    try {
+        fail(fault.atom ? fmt::format("atom {} {}", id, fault.message) : fault.message);
+    } catch (const DataError& error) {
+        message = error.what();
+    }
+    if (fault.is_lost) {
+        throw NotFinite(message);
+    }
+    throw DataError(message);
+}
+
 /// Whether the frame comes after all counted ones.
 bool TrajectoryReader::is_counted(Frame& frame) {
     const std::optional<double> place = place_of(frame);

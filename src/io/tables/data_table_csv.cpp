@@ -17,13 +17,35 @@ namespace ljmd {
 
 namespace {
 
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// A name in a header as other programs write it: behind a '#', or in quotes.
+std::string_view plain_name(std::string_view name) {
+    if (name.starts_with('#')) name = without_blanks(name.substr(1));
+    const bool is_quoted =
+        name.size() > 1 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
+    return is_quoted ? without_blanks(name.substr(1, name.size() - 2)) : name;
+}
+
 std::vector<std::string_view> fields_of(std::string_view line) {
     std::vector<std::string_view> fields;
     for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(std::min(comma + 1, line.size()))) {
         comma = line.find(',');
-        fields.push_back(line.substr(0, comma));
+        fields.push_back(without_blanks(line.substr(0, comma)));
     }
     return fields;
+}
+
+std::vector<std::string> names_in(std::string_view header) {
+    std::vector<std::string> names;
+    for (const std::string_view name : fields_of(header)) {
+        names.emplace_back(plain_name(name));
+    }
+    return names;
 }
 
 constexpr double largest_step = 9007199254740992.0;  // 2^53: up to here, all integers are doubles
@@ -45,15 +67,15 @@ bool ends_with_a_line(const std::filesystem::path& path) {
     return last == '\n';
 }
 
-DataTable read(const std::filesystem::path& path, bool without_last_line) {
+/// @param without_last_line  it may not be complete
+/// @param loss  receives why the table ends before a number that is not finite; null: such a table is refused
+DataTable read(const std::filesystem::path& path, bool without_last_line, std::string* loss = nullptr) {
     TextFile file(path);
     DataTable table{path.stem().string(), {}, {}};
     if (!file.next_line()) {
         file.fail_at(0, "no header: the file is empty");
     }
-    for (const std::string_view name : fields_of(file.line())) {
-        table.columns.emplace_back(name);
-    }
+    table.columns = names_in(file.line());
     while (file.next_line()) {
         if (without_last_line && file.bytes_left() == 0) {
             break;
@@ -63,9 +85,18 @@ DataTable read(const std::filesystem::path& path, bool without_last_line) {
             file.fail(fmt::format("{} fields, but {} columns", fields.size(), table.columns.size()));
         }
         std::vector<double>& row = table.rows.emplace_back();
-        for (std::size_t k = 0; k < fields.size(); ++k) {
-            row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                            : file.number(fields[k], table.columns[k]));
+        try {
+            for (std::size_t k = 0; k < fields.size(); ++k) {
+                row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                : file.number(fields[k], table.columns[k]));
+            }
+        } catch (const NotFinite& error) {
+            if (loss == nullptr || table.rows.size() == 1) {
+                throw;
+            }
+            table.rows.pop_back();
+            *loss = error.what();
+            break;
         }
     }
     return table;
@@ -94,8 +125,17 @@ std::string to_csv(const DataTable& table) {
     return text;
 }
 
+std::vector<std::string> csv_columns(const std::filesystem::path& path) {
+    TextFile file(path);
+    return file.next_line() ? names_in(file.line()) : std::vector<std::string>{};
+}
+
 DataTable read_csv(const std::filesystem::path& path) {
     return read(path, false);
+}
+
+DataTable read_finite_csv(const std::filesystem::path& path, std::string& loss) {
+    return read(path, false, &loss);
 }
 
 DataTable read_growing_csv(const std::filesystem::path& path) {

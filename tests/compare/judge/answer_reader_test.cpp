@@ -138,6 +138,60 @@ TEST_CASE("an answer that cannot be used is refused with the file and what is ex
     }
 }
 
+TEST_CASE("of an engine that blows up all is read that comes before, and it is said where that ends") {
+    const std::string with_velocities =
+        "2\nLattice=\"5 0 0 0 6 0 0 0 7\" Properties=species:S:1:pos:R:3:velo:R:3 step=10\nX 1 1 1 0 0 0\n";
+    const auto with_number = [](const std::string& step, const std::string& number) {
+        std::string text = frame(step);
+        return text.replace(text.find("X 2 2"), 5, "X 2 " + number);
+    };
+    for (const auto& [bad, words] :
+         {std::pair(with_number("step=10", "nan"), "found 'nan'"),
+          std::pair(with_number("step=10", "9e7"), "atom 2 is more than 1000000 edges away from the box"),
+          std::pair(frame("step=10").replace(frame("step=10").find("4 5 6"), 5, "4 inf 6"),
+                    "atom 2 has a force that is not finite"),
+          std::pair(with_velocities + "X 2 2 2 0 -inf 0\n", "found '-inf'")}) {
+        const Place place;
+        place.write("frames.xyz", frame("step=0") + frame("step=1") + bad + frame("step=50"));
+        const Answer answer = place.read();
+        CHECK(answer.frames.size() == 2);
+        REQUIRE(answer.losses.size() == 1);
+        CHECK(answer.losses[0].check == "frames.xyz: frame 3 (step 10): finite, and near the box");
+        CHECK_THAT(answer.losses[0].words, Contains("the engine blew up: frame 3 (step 10): ") && Contains(words) &&
+                                               Contains("; the frames before it are judged"));
+        place.write("frames.xyz", bad);  // nothing comes before
+        CHECK_THAT(place.complaint(), Contains("frames.xyz"));
+    }
+    const Place place;
+    place.write("frames.xyz", frame("step=0") + frame("step=3") + with_number("step=7", "nan"));
+    CHECK_THAT(place.read().losses.at(0).words, Contains("frame 3, after step 3: "));
+    place.write("thermo.csv", "step,kinetic_energy\n0,1\n5,2\n10,inf\n15,nan\n");
+    const Answer answer = place.read();
+    CHECK(answer.thermo->steps == std::vector<Index>{0, 5});
+    CHECK_THAT(answer.losses.at(1).words,
+               Contains("in line 4: ") && Contains("'inf'") && Contains("the rows before it are judged"));
+    place.write("frames.xyz", frame("step=0") + with_number("step=1", "abc"));
+    CHECK_THAT(place.complaint(), Contains("found 'abc'"));  // no number at all
+}
+
+TEST_CASE("a table is read as NumPy writes it, and its columns are named where they are not known") {
+    const Place place;
+    for (const char* text : {"# step, kinetic_energy\n0, 1.5\n5, 2.5\n", "\"step\",\"kinetic_energy\"\n0,1.5\n5,2.5\n",
+                             "#step,kinetic_energy\n0.000e+00,1.5\n5.0e+00,2.5\n"}) {
+        place.write("thermo.csv", text);
+        CHECK(place.read().thermo->steps == std::vector<Index>{0, 5});
+        CHECK(place.read().thermo->kinetic_energy == std::vector<double>{1.5, 2.5});
+    }
+    place.write("thermo.csv", "step kinetic_energy\n0 1.5\n5 2.5\n");
+    CHECK_THAT(place.complaint(), Contains("the columns found are 'step kinetic_energy'; separate them with commas"));
+}
+
+TEST_CASE("frames without a box are refused without advice for other commands") {
+    const Place place;
+    place.write("frames.xyz", "2\nstep=0\nX 1 1 1\nX 2 2 2\n");
+    CHECK_THAT(place.complaint(), Contains("the periodic box is missing") && !Contains("xyz_comment"));
+}
+
 TEST_CASE("of an answer only the files are read whose parts are judged") {
     Place place;
     place.write("point.json", R"({"engine": "mine", "degrees_of_freedom": 6, "potential_energy": "none"})");

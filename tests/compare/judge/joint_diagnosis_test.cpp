@@ -45,6 +45,82 @@ TEST_CASE("mistakes that change energy, virial and forces alike are named, in ev
     }
 }
 
+TEST_CASE("forces of a wrong formula are named, with their virial or the right one") {
+    for (const char* truncation : {"cut", "force-shifted"}) {
+        const Fluid fluid = shaken_liquid(truncation, PairPotential::takes_tail(truncation));
+        const ExpectedPoint expected = expected_point_of(fluid);
+        const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+        const auto said = [&](int power, bool with_virial) {
+            PairSums sums = pairs.sums_of([&](const NearPairs::Pair& pair) {
+                const PairTerm<double> term = fluid.potential(pair.distance);
+                return PairTerm<double>{term.u, term.w * std::pow(pair.distance, power)};
+            });
+            if (!with_virial) sums.virial = expected.sums.virial;
+            return first_diagnosis(fluid, point_with(expected, sums));
+        };
+        for (const bool with_virial : {true, false}) {
+            CHECK_THAT(said(1, with_virial), StartsWith("forces: r_ij is not divided by r"));
+            CHECK_THAT(said(2, with_virial), StartsWith("forces: they are r^2 times too large"));
+            CHECK_THAT(said(-1, with_virial), StartsWith("forces: they are divided by r once too often"));
+            CHECK_THAT(said(-2, with_virial), StartsWith("forces: they are divided by r^2 once too often"));
+        }
+    }
+    const Fluid fluid = shaken_liquid();
+    const ExpectedPoint expected = expected_point_of(fluid);
+    const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+    for (const auto& [a, b, words] :
+         {std::tuple(24.0, -24.0, "forces: a 2 is forgotten"), std::tuple(48.0, -48.0, "forces: a 1/2 is forgotten"),
+          std::tuple(48.0, 24.0, "forces: the sign of r^-6 is wrong")}) {
+        const PairSums sums = pairs.sums_of([&, a = a, b = b](const NearPairs::Pair& pair) {
+            const double s6 = std::pow(pair.distance, -6);
+            return PairTerm<double>{fluid.potential(pair.distance).u,
+                                    (a * s6 * s6 + b * s6) / (pair.distance * pair.distance)};
+        });
+        CHECK_THAT(first_diagnosis(fluid, point_with(expected, sums)), StartsWith(words));
+    }
+}
+
+TEST_CASE("parts that are cut off in another way are named") {
+    for (const auto& [ours, theirs] : {std::pair("force-shifted", "cut"), std::pair("force-shifted", "shifted"),
+                                       std::pair("cut", "force-shifted"), std::pair("switched", "shifted")}) {
+        INFO(ours << ", " << theirs);
+        const Fluid fluid = shaken_liquid(ours, PairPotential::takes_tail(ours));
+        const ExpectedPoint expected = expected_point_of(fluid);
+        const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+        const PairSums other = pairs.sums(PairPotential::lennard_jones(theirs, {2.2, 1.8}));
+        const auto said = [&](bool energy, bool forces) {
+            PairSums sums = forces ? other : expected.sums;
+            sums.potential_energy = (energy ? other : expected.sums).potential_energy;
+            return first_diagnosis(fluid, point_with(expected, sums));
+        };
+        CHECK_THAT(said(true, true), StartsWith("truncation: energy, virial and forces are those of a potential"));
+        CHECK_THAT(said(false, true), StartsWith("truncation: forces and virial are those"));
+        CHECK_THAT(said(true, false), StartsWith("truncation: the energy is that"));
+    }
+}
+
+TEST_CASE("another box, and a loop that begins one too late, are named") {
+    for (const char* truncation : {"cut", "force-shifted"}) {
+        const Fluid fluid = shaken_liquid(truncation, PairPotential::takes_tail(truncation));
+        const ExpectedPoint expected = expected_point_of(fluid);
+        const NearPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
+        const auto said = [&](const Vec3& longer) {
+            const Vec3 by = longer.cwiseProduct(fluid.edges);
+            return first_diagnosis(fluid, point_with(expected, pairs.with_longer_edges(by).sums(fluid.potential)));
+        };
+        CHECK(said(Vec3::Zero()).empty());
+        CHECK_THAT(said(Vec3::Constant(0.001)),
+                   StartsWith("edges of the box") && Catch::Contains("edges are 1.001 times"));
+        CHECK_THAT(said(Vec3(0.0, 0.0, -0.002)),
+                   StartsWith("edges of the box") && Catch::Contains("edge z is 0.998 times"));
+        CHECK_THAT(first_diagnosis(
+                       fluid, point_with(expected, pairs.sums_of([&](const NearPairs::Pair& pair) {
+                           return pair.j == pair.i + 1 ? PairTerm<double>{0.0, 0.0} : fluid.potential(pair.distance);
+                       }))),
+                   StartsWith("neighbouring ids"));
+    }
+}
+
 TEST_CASE("forces alone, or energy and virial alone, are enough to know a mistake, one number is not") {
     const Fluid fluid = shaken_liquid();
     const ExpectedPoint expected = expected_point_of(fluid);

@@ -30,7 +30,7 @@ inline JudgedTrajectory right_trajectory(const Fluid& fluid, const std::vector<I
 /// What is said, once ljmd's forces at the engine's positions are known.
 inline std::vector<std::string> said(const Fluid& fluid, JudgedTrajectory trajectory) {
     follow(fluid, *MadePeer::force_field_of(fluid), {}, trajectory);
-    return diagnose_trajectory(trajectory, fluid.potential, engine_agreement({}));
+    return diagnose_trajectory(trajectory, fluid, *MadePeer::force_field_of(fluid), {}, engine_agreement({}));
 }
 
 inline std::vector<Vec3> moved(std::vector<Vec3> a, double factor, const std::vector<Vec3>& b) {

@@ -46,8 +46,10 @@ class Rows {
                            .volume = problem_.fluid.edges.prod(),
                            .thermo_every = 5,
                            .agreement = agreement,
-                           .digits = 1e-9});
+                           .digits = 1e-9,
+                           .tail_energy = -50.0});
     }
+    [[nodiscard]] double volume() const { return problem_.fluid.edges.prod(); }
 
   private:
     Problem problem_;
@@ -73,7 +75,8 @@ TEST_CASE("an energy that is written one step late fails, and is named") {
     ThermoAnswer table = rows.table();
     table.potential_energy = rows.table(-1).potential_energy;
     const RowJudgement judged = rows.judged(table);
-    CHECK(test::failed_checks(judged) == std::vector<std::string>{"thermo.csv, steps 5 to 40: potential energy"});
+    REQUIRE(test::failed_checks(judged).size() == 1);
+    CHECK_THAT(test::failed_checks(judged)[0], StartsWith("thermo.csv, steps 5 to 40: potential energy, worst at "));
     CHECK(judged.mistakes ==
           std::vector<std::string>{"one step late: the potential energy of thermo.csv is that of 1 step "
                                    "earlier than the row says"});
@@ -124,7 +127,9 @@ TEST_CASE("a constant or a factor of all rows is no mistake of rows, and is told
         u += 3.0;
     }
     CHECK(rows.judged(table).mistakes.empty());
-    CHECK_THAT(rows.judged(table).others.at(0), StartsWith("constant: the potential energy of thermo.csv has 3 added"));
+    CHECK_THAT(rows.judged(table).others.at(0),
+               StartsWith("constant: the potential energy of thermo.csv has 3 added") &&
+                   Catch::Contains("that would be -47 instead of -50: check its formula"));
     table = rows.table();
     for (double& k : table.kinetic_energy) {
         k *= 2.0;
@@ -137,6 +142,58 @@ TEST_CASE("a constant or a factor of all rows is no mistake of rows, and is told
     }
     CHECK_FALSE(test::failed_checks(rows.judged(table)).empty());
     CHECK(rows.judged(table).others.empty());
+}
+
+TEST_CASE("a pressure of rho T is no mistake if each row has its own T, and one of a constant T is") {
+    const Rows rows;
+    const double thrice_volume = 3.0 * rows.volume();
+    ThermoAnswer table = rows.table();
+    ThermoAnswer constant = rows.table();
+    for (std::size_t k = 0; k < table.steps.size(); ++k) {
+        const double motion = 2.0 * table.kinetic_energy[k] / thrice_volume;
+        table.pressure[k] += motion * (108.0 / 107.0 - 1.0);
+        constant.pressure[k] += 0.7 - motion;
+    }
+    CHECK_THAT(rows.judged(table).mistakes.at(0),
+               StartsWith("3N against 3N-3") && Catch::Contains("no mistake in itself"));
+    CHECK_FALSE(rows.judged(table).has_constant_motion);
+    CHECK_THAT(rows.judged(constant).mistakes.at(0),
+               StartsWith("constant temperature") && Catch::Contains("the kinetic part 0.7 in all rows"));
+    CHECK(rows.judged(constant).has_constant_motion);
+}
+
+TEST_CASE("numbers of rows in the place of steps are found out") {
+    const Rows rows;
+    ThermoAnswer table = rows.table();
+    for (Index& step : table.steps) {
+        step /= 5;
+    }
+    const RowJudgement judged = rows.judged(table);
+    CHECK(judged.checks.size() == 4);
+    REQUIRE(judged.mistakes.size() == 1);
+    CHECK_THAT(judged.mistakes[0], StartsWith("row numbers: ") && Catch::Contains("those of the steps 5, 10, ..."));
+    CHECK(last_compared_step(table, 5, 500) == 40);
+    CHECK(last_compared_step(table, 5, 30) == 30);
+    CHECK(last_compared_step(rows.table(), 5, 30) == 30);
+    table.kinetic_energy[2] += 1.0;
+    CHECK(rows.judged(table).mistakes.empty());
+}
+
+TEST_CASE("a table's temperature of other degrees of freedom is named") {
+    const Rows rows;
+    ThermoAnswer table = rows.table();
+    const auto with = [&](double freedom) {
+        table.temperature.clear();
+        for (const double k : table.kinetic_energy) {
+            table.temperature.push_back(2.0 * k / freedom);
+        }
+        const RowJudgement judged = judge_temperatures(table, 108, 321, 1e-9);
+        return judged.mistakes.empty() ? test::failed_checks(judged).size() == 1 ? "failed" : "" : judged.mistakes[0];
+    };
+    CHECK(with(321.0).empty());
+    CHECK_THAT(with(324.0), StartsWith("3N against 3N-3"));
+    CHECK_THAT(with(318.0), StartsWith("3N-6 against 3N-3"));
+    CHECK(with(300.0) == "failed");
 }
 
 TEST_CASE("a table of few digits is named by how many it has") {

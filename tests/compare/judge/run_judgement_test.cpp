@@ -1,5 +1,6 @@
 #include "ljmd/compare/judge/run_judgement.hpp"
 #include "compare/judge/failed_checks.hpp"
+#include "ljmd/compare/judge/own_run.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -75,6 +76,17 @@ TEST_CASE("a thermostat is judged by the distribution of the kinetic energy") {
     CHECK(judged({}).not_judged.size() == 4);
 }
 
+TEST_CASE("an engine at constant energy is called so, where a temperature is held") {
+    RunSamples theirs = samples(100, 1.5, 0.5);
+    for (std::size_t k = 0; k < theirs.kinetic_energy.size(); ++k) {
+        theirs.potential_energy[k] = -3000.0 - theirs.kinetic_energy[k];
+    }
+    const auto said = judge_run(canonical(), samples(1), theirs).diagnoses;
+    REQUIRE(said.size() == 1);
+    CHECK_THAT(said[0],
+               StartsWith("no thermostat: the total energy is conserved, where the deck holds") && Contains("at 1.5"));
+}
+
 TEST_CASE("3 N degrees of freedom are told from 3 N - 3, and the other way") {
     RunConditions few = canonical();
     few.atoms = 10;
@@ -82,7 +94,8 @@ TEST_CASE("3 N degrees of freedom are told from 3 N - 3, and the other way") {
     RunSamples theirs;
     theirs.kinetic_energy = series(0.5 * 30.0 * 1.5, std::sqrt(0.5 * 27.0) * 1.5, 3);
     const auto found = judge_run(few, theirs, theirs);
-    CHECK_THAT(found.diagnoses.at(0), StartsWith("3N against 3N-3: the mean kinetic energy is 30 T/2, not 27 T/2"));
+    CHECK_THAT(found.diagnoses.at(0), StartsWith("3N against 3N-3: the mean kinetic energy is 30 T/2, not 27 T/2") &&
+                                          Contains("state degrees_of_freedom = 30 in point.json"));
     few.freedom = 30;
     theirs.kinetic_energy = series(0.5 * 27.0 * 1.5, std::sqrt(0.5 * 30.0) * 1.5, 3);
     CHECK_THAT(judge_run(few, theirs, theirs).diagnoses.at(0), Contains("is 27 T/2, not 30 T/2"));

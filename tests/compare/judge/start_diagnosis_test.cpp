@@ -8,7 +8,8 @@ using namespace ljmd::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("a start whose velocities were taken for those of another time is named, and another time step") {
+TEST_CASE(
+    "a start whose velocities were taken for those of another time, or another time step, is told by step 1 alone") {
     const Fluid fluid = shaken_crystal();
     JudgedTrajectory trajectory = right_trajectory(fluid, {0, 1});
     const JudgedFrame& start = trajectory.frames[0];

@@ -62,4 +62,6 @@ TEST_CASE("what cannot be computed with is found, and in which atom") {
     CHECK_THAT(of_second([](Configuration& c) { c.positions[1][2] = -1e7; }), Contains("edges away"));
     CHECK_THAT(of_second([](Configuration& c) { c.velocities[1][0] = nothing; }), Contains("velocity that is not"));
     CHECK_THAT(of_second([](Configuration& c) { c.masses[1] = 0.0; }), Contains("has the mass 0"));
+    CHECK(fault([](Configuration& c) { c.positions[1][2] = -1e7; }).is_lost);
+    CHECK_FALSE(fault([](Configuration& c) { c.masses[1] = 0.0; }).is_lost);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "io/written_file.hpp"
+#include "ljmd/io/files/text_file.hpp"
 
 using namespace ljmd;
 
@@ -64,6 +65,26 @@ TEST_CASE("a table is read back as it was written, unknown numbers too") {
     CHECK(column(back, "c")[0] == 3.0);
     CHECK(std::isnan(column(back, "b")[0]));
     CHECK_THROWS_WITH(column(back, "d"), "t.csv has no column 'd'");
+}
+
+TEST_CASE("headers and blanks of other programs are read") {
+    for (const char* text : {"# step, u\n 0, -1.5\n5 ,2\t\n", "\"step\",'u'\n0,-1.5\n5,2\n"}) {
+        const test::WrittenFile file(text, "t.csv");
+        CHECK(csv_columns(file.path()) == std::vector<std::string>{"step", "u"});
+        const DataTable table = read_csv(file.path());
+        CHECK(step_column(table, file.path()) == std::vector<Index>{0, 5});
+        CHECK(column(table, "u") == std::vector<double>{-1.5, 2.0});
+    }
+}
+
+TEST_CASE("a table is read up to a number that is not finite, if rows come before") {
+    const test::WrittenFile file("a,b\n1,2\n3,nan\n4,5\n", "t.csv");
+    std::string loss;
+    CHECK(read_finite_csv(file.path(), loss).rows == std::vector<std::vector<double>>{{1.0, 2.0}});
+    CHECK_THAT(loss, Catch::Matchers::Contains("t.csv:3: b must be a finite number, found 'nan'"));
+    CHECK_THROWS_AS(read_csv(file.path()), DataError);
+    const test::WrittenFile first("a\ninf\n2\n", "t.csv");
+    CHECK_THROWS_AS(read_finite_csv(first.path(), loss), NotFinite);
 }
 
 TEST_CASE("a table with one column, and one without rows, are read") {

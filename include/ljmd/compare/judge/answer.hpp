@@ -33,6 +33,12 @@ struct ThermoAnswer {
     std::vector<double> volume;  ///< [sigma^3]
 };
 
+/// Where the numbers of a file end because the engine has lost its atoms.
+struct Loss {
+    std::string check;  ///< that fails: "frames.xyz: frame 4 (step 100) can be read"
+    std::string words;  ///< a sentence about it
+};
+
 /// All that an engine has answered.
 struct Answer {
     std::string engine;                         ///< how it calls itself; empty if it does not say
@@ -41,6 +47,7 @@ struct Answer {
     std::vector<Frame> frames;  ///< the first one, and those at judged steps; positions may be wrapped or not
     std::optional<ThermoAnswer> thermo{};
     std::vector<std::string> warnings;  ///< remarks on the files
+    std::vector<Loss> losses{};         ///< the frames and rows from there on are left out
 };
 
 }  // namespace ljmd

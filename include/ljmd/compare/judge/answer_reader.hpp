@@ -20,8 +20,11 @@ namespace ljmd {
 ///     frames.xyz, ...                     frames of the trajectory, with steps, or with times
 ///     thermo.csv                          the table of the run
 ///
-/// @throws DataError  a file cannot be read, is cut off, holds a number that is not finite, is of another number of
-/// atoms or another box; the text names the file, and what was expected
+/// Of frames and rows those before the first one that is not finite, or has an atom 10^6 edges away, are read, and the
+/// answer says so: they are of an engine that blew up.
+///
+/// @throws DataError  a file cannot be read, is cut off, begins with or otherwise holds a number that is not finite, is
+/// of another number of atoms or another box; the text names the file, and what was expected
 [[nodiscard]] Answer read_answer(const std::filesystem::path& directory, const Problem& problem);
 
 }  // namespace ljmd

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "ljmd/compare/agreement.hpp"
+#include "ljmd/compare/fluid.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/execution/execution.hpp"
+#include "ljmd/forces/force_field.hpp"
 
 namespace ljmd {
 
@@ -70,14 +72,17 @@ struct JudgedTrajectory {
 /// By which known mistakes the trajectory differs from ours, a sentence each:
 ///
 ///     velocities             see diagnose_velocities()
-///     half-step start        r'(1) = r(1) +- a(0) dt^2/2: the start's velocities were taken for velocities at -+dt/2
+///     a wrong method         explicit Euler, a kick that is missing or too long, a start half a step off, other
+///                            velocities at the start: followed over the next frames, see wrong_method()
 ///     another time step      r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2
 ///     a stale list           forces of the first frame are right, and in a later one some pairs' within the cutoff are
 ///                            missing
 ///     the integration        forces are right at the engine's positions, but the atoms are elsewhere
 ///
+/// @param force_field  ljmd's, to follow wrong methods with  @param execution  for the states
 /// @param agreement  below it nothing is a difference
-[[nodiscard]] std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
-                                                           const PairPotential& potential, const Agreement& agreement);
+[[nodiscard]] std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory, const Fluid& fluid,
+                                                           ForceField& force_field, const Execution& execution,
+                                                           const Agreement& agreement);
 
 }  // namespace ljmd

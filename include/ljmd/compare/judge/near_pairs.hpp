@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
@@ -33,7 +34,7 @@ class NearPairs {
 
     /// All pairs closer than `range`, by their nearest images; O(N^2).
     /// @param positions  anywhere
-    /// @pre range <= half the shortest edge
+    /// Beyond half the shortest edge other images are missing, as with programs that know the nearest one alone.
     NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range);
 
     /// Assumptions of a sum.
@@ -47,6 +48,12 @@ class NearPairs {
     /// U, W and forces of the pairs within the potential's cutoff, which sigma multiplies, too.
     [[nodiscard]] PairSums sums(const PairPotential& potential, const Assumed& assumed) const;
     [[nodiscard]] PairSums sums(const PairPotential& potential) const { return sums(potential, Assumed{}); }
+
+    /// The same of any terms of pairs.
+    [[nodiscard]] PairSums sums_of(const std::function<PairTerm<double>(const Pair&)>& term) const;
+
+    /// The pairs as they are in a box whose edges are longer by this, with the atoms where they are.
+    [[nodiscard]] NearPairs with_longer_edges(const Vec3& by) const;
 
     [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
     [[nodiscard]] std::size_t atoms() const { return atoms_; }

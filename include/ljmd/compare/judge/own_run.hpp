@@ -14,6 +14,10 @@ namespace ljmd {
 /// @pre steps ascend  @param execution  for the states
 void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory);
 
+/// Forces of ljmd at positions anywhere. @throws PhysicsError  one is not finite
+[[nodiscard]] std::vector<Vec3> forces_at(const Fluid& fluid, const std::vector<Vec3>& positions,
+                                          ForceField& force_field, const Execution& execution);
+
 /// Energies and pressures of velocity Verlet from the start, at each step from 0 to `steps`.
 /// @param tail  its corrections are in them  @param execution  for the state
 [[nodiscard]] std::vector<OwnRow> own_rows(const Fluid& fluid, const TailCorrection& tail, ForceField& force_field,
@@ -25,6 +29,11 @@ void follow(const Fluid& fluid, ForceField& force_field, const Execution& execut
 /// @throws PhysicsError  as run_stages()  @throws Interrupted
 [[nodiscard]] RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,
                                  const Interruption& interruption = Interruption());
+
+/// Keep the rows of two runs that are of the same steps: runs from one start are compared over the same time.
+/// @param ours    sampled at `every`, 2 `every`, ...
+/// @param theirs  at the last of `steps`, which ascend; as many as it has samples
+void keep_common_rows(RunSamples& ours, Index every, RunSamples& theirs, const std::vector<Index>& steps);
 
 /// Kinetic energy of the velocities v + a t: of half a time step earlier or later, if t is that.
 [[nodiscard]] double half_step_kinetic_energy(const Fluid& fluid, const std::vector<Vec3>& forces, double t);

@@ -24,12 +24,15 @@ struct RowConditions {
     Index thermo_every;          ///< steps between rows
     const Agreement& agreement;  ///< of trajectories
     double digits;               ///< relative differences that are none because numbers have been through text
+    double tail_energy = 0.0;    ///< of all atoms [epsilon]
+    double tail_pressure = 0.0;  ///< [epsilon/sigma^3]
 };
 
 /// The judgement of the rows of a table while two trajectories are together.
 struct RowJudgement {
     std::vector<Check> checks;
     std::vector<std::string> mistakes;  ///< rows of another step, of velocities half a step off, of few digits
+    bool has_constant_motion = false;   ///< the pressure is that of one temperature in all rows
     std::vector<std::string> others;  ///< a constant that is added, or a factor: as a mistake of the start leaves them
 };
 
@@ -45,5 +48,13 @@ struct RowJudgement {
 /// @pre the table's columns have an entry for each of its steps, or none
 [[nodiscard]] RowJudgement judge_rows(const ThermoAnswer& table, const std::vector<OwnRow>& ours,
                                       const RowConditions& conditions);
+
+/// The last step of a table for which judge_rows() takes rows of ours: up to `together`, also by the number of rows,
+/// which may stand in the place of steps.
+/// @pre there is a row up to `together`
+[[nodiscard]] Index last_compared_step(const ThermoAnswer& table, Index every, Index together);
+
+/// Temperature and kinetic energy of a table are one quantity; nothing is judged without both.
+[[nodiscard]] RowJudgement judge_temperatures(const ThermoAnswer& table, Index atoms, Index freedom, double tolerance);
 
 }  // namespace ljmd

@@ -19,11 +19,6 @@ struct RunSamples {
     std::vector<double> volume;            ///< [sigma^3]
 };
 
-/// Keep the rows of two runs that are of the same steps: runs from one start are compared over the same time.
-/// @param ours    sampled at `every`, 2 `every`, ...
-/// @param theirs  at the last of `steps`, which ascend; as many as it has samples
-void keep_common_rows(RunSamples& ours, Index every, RunSamples& theirs, const std::vector<Index>& steps);
-
 /// What is sampled.
 struct RunConditions {
     Index atoms;

@@ -7,11 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
 
 class GzipInput;
+
+/// A file holds a number that is not finite, or an atom so far away that its place is lost: it was written as it is to
+/// be, by a program that had lost its atoms.
+class NotFinite : public DataError {
+  public:
+    using DataError::DataError;
+};
 
 /// A text file that is read line by line. Its error messages begin with file and line: "start.xyz:17: frame 2: ...".
 ///
@@ -54,13 +62,17 @@ class TextFile {
     /// @throws DataError always: at the current line, or at the given one (0: for the whole file)
     [[noreturn]] void fail(const std::string& message) const { fail_at(line_number_, message); }
     [[noreturn]] void fail_at(Index line, const std::string& message) const;
+    /// @throws NotFinite always
+    [[noreturn]] void fail_as_lost_at(Index line, const std::string& message) const;
 
     /// The number in a field. `what` names it in the message: "x must be a finite number, found 'a'".
-    /// @throws DataError when the field is not a number, not finite, or out of the range of the type
+    /// @throws DataError when the field is not a number, not finite (NotFinite), or out of the range of the type
     [[nodiscard]] double number(std::string_view field, std::string_view what) const;
     [[nodiscard]] Index integer(std::string_view field, std::string_view what) const;
 
   private:
+    [[nodiscard]] std::string at(Index line, const std::string& message) const;
+
     std::string name_;
     std::ifstream file_;
     std::unique_ptr<GzipInput> gzip_;  ///< null for a file that is not compressed

@@ -12,6 +12,7 @@ namespace ljmd {
 struct ConfigurationFault {
     std::optional<Index> atom;  ///< index from 0; none: the fault is in the box or the time
     std::string message;        ///< for an atom, the text after its name: "has the mass 0; ..."
+    bool is_lost = false;       ///< the atom is nowhere, or moves with no velocity: see NotFinite
 };
 
 /// Check a configuration in reduced units, O(N): a usable box, finite numbers, positive masses, and no atom more than

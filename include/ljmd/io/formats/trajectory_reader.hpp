@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/io/formats/configuration_check.hpp"
 #include "ljmd/model/configuration.hpp"
 #include "ljmd/options/units.hpp"
 
@@ -62,6 +63,10 @@ class TrajectoryReader {
 
     /// Report a fault of the current frame. @throws DataError always
     [[noreturn]] virtual void fail(const std::string& message) const = 0;
+
+    /// Report the fault of a frame's configuration, of the atom with this id.
+    /// @throws NotFinite  the atom is lost  @throws DataError  in all other cases
+    [[noreturn]] void fail_by(const ConfigurationFault& fault, Index id) const;
 
     /// Atoms in the first frame; 0 while that is read.
     [[nodiscard]] Index atoms() const { return atoms_; }

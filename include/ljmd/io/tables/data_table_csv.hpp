@@ -19,9 +19,18 @@ namespace ljmd {
 /// A table as CSV: csv_header(), then csv_row() for each row.
 [[nodiscard]] std::string to_csv(const DataTable& table);
 
-/// Read a table; an empty field is NaN. The table is named after the file, without suffix.
+/// Read a table; an empty field is NaN. The table is named after the file, without suffix. As other programs write it,
+/// the header may begin with '#', and have names in quotes; there may be blanks beside commas.
 /// @throws DataError  the file cannot be read, a row and the header differ in length, or a field is not a number
 [[nodiscard]] DataTable read_csv(const std::filesystem::path& path);
+
+/// The names in the header alone; none of an empty file. @throws DataError
+[[nodiscard]] std::vector<std::string> csv_columns(const std::filesystem::path& path);
+
+/// As read_csv(), up to the first row with a number that is not finite, if that is not the first one.
+/// @param loss  receives which number it is, with file and line; unchanged if there is none
+/// @throws DataError
+[[nodiscard]] DataTable read_finite_csv(const std::filesystem::path& path, std::string& loss);
 
 /// As read_csv(), for a file that is still being written: anything after the last line end is ignored.
 /// @throws DataError
