@@ -11,8 +11,8 @@ namespace ljmd {
 /// Pressure and energy of the fluid by Thol's equation.
 [[nodiscard]] Data equation_at(double temperature, double density);
 
-/// The same, with what is stable in the state and the lines around it in words; `fluid`: the equation of state is that of
-/// its phase. Takes a thousand times as long.
+/// The same, with what is stable in the state and the lines around it in words; `fluid`: the equation of state is that
+/// of its phase. Takes a thousand times as long.
 [[nodiscard]] Data state_of_fluid(double temperature, double density);
 
 }  // namespace ljmd

@@ -19,8 +19,9 @@ struct StateOnAxis {
 
 /// What equations of state say between the points of a sweep: a table with the axis' column, `series`, and a column
 /// NAME_reference for each observable that equations have. Between neighbouring points of a series, temperature and
-/// density are linear in the place; temperatures that agree within three errors, as along an isotherm, are their mean, so
-/// that the curve does not follow their noise, where the axis is not the temperature. Where no one phase is stable, or the equation was not fitted, there is no value.
+/// density are linear in the place; temperatures that agree within three errors, as along an isotherm, are their mean,
+/// so that the curve does not follow their noise, where the axis is not the temperature. Where no one phase is stable,
+/// or the equation was not fitted, there is no value.
 /// @param x       name of the axis' column
 /// @param states  sorted by place within each series
 /// @return without rows where no series has two points with one equation

@@ -17,7 +17,6 @@ namespace ljmd {
 
 namespace {
 
-
 std::vector<WaveVector> joined(const std::vector<WaveShell>& shells) {
     std::vector<WaveVector> all;
     for (const WaveShell& shell : shells) {
