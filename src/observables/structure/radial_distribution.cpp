@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/structure/pair_histogram.hpp"
 
 namespace ljmd {
