@@ -6,6 +6,7 @@
 #include <random>
 
 #include "ljmd/observables/response/response_functions.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 
 using namespace ljmd;
 
