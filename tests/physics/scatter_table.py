@@ -121,7 +121,7 @@ def liquid(seed: int, length: str, before: int = 3000, barostat: str = "", analy
 
 # Kind -> whether its runs are long, the deck of a seed, further options of `ljmd run`.
 KINDS = {
-    "constant pressure": (True, lambda seed: liquid(seed, "steps = 60000", barostat=BAROSTAT), []),
+    "constant pressure": (True, lambda seed: liquid(seed, "steps = 160000", barostat=BAROSTAT), []),
     "film": (True, lambda seed: FILM.format(seed=seed, length="steps = 250000"), []),
     "short": (False, lambda seed: liquid(seed, "steps = 12000"), []),
     "short, constant pressure": (False, lambda seed: liquid(seed, "steps = 40000", barostat=BAROSTAT), []),
