@@ -1,4 +1,5 @@
-"""The pictures of a sweep: an observable with error bars against one of the varied keys, one picture for each column. Of replicas each one, beside what all of them say together.
+"""The pictures of a sweep: an observable with error bars against one of the varied keys, one picture for each column.
+Of replicas each one, beside what all of them say together.
 
 One line for each value, or set of values, of the other keys. Points that have failed are left out. Beside pressures,
 energies and compressibility factors stands the equation of state of the fluid, where it has one (`ljmd eos`).

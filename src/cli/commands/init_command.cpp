@@ -19,9 +19,8 @@ namespace fs = std::filesystem;
 
 /// Options of `ljmd init`.
 struct InitOptions {
-    std::string
-        file{};  ///< the deck to write, or the name of an example; empty: <example>.toml in the working directory
-    std::string example{};  ///< one of example_names(); empty: the one that `file` names, or the first
+    std::string file{};     ///< deck to write, or the name of an example; empty: <example>.toml
+    std::string example{};  ///< one of example_names(); empty: the one that `file` names, else the first
     bool force = false;
     bool list = false;  ///< print the examples instead
 };
@@ -52,11 +51,12 @@ class InitCommand : public Command {
             print_result(list_of_examples());
             return;
         }
-        const bool is_file = !options_.example.empty() || fs::path(options_.file).extension() == ".toml";
-        const std::string first = options_.file.empty() || is_file ? "first" : options_.file;
-        const ExampleDeck& deck = example_deck(options_.example.empty() ? first : options_.example);
+        const bool names_example =
+            options_.example.empty() && !options_.file.empty() && fs::path(options_.file).extension() != ".toml";
+        const std::string asked = names_example ? options_.file : options_.example;
+        const ExampleDeck& deck = example_deck(asked.empty() ? "first" : asked);
         const fs::path file =
-            options_.file.empty() || !is_file ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options_.file);
+            names_example || options_.file.empty() ? fmt::format("{}.toml", deck.name) : options_.file;
         write_output(file, {.force = options_.force}, deck.text);
         print_result(
             fmt::format("{0}: the example {2}\nto see what it costs: ljmd check {1}\nto run it: ljmd run {1}\nall "
