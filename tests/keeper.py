@@ -14,6 +14,7 @@ import ctypes
 import os
 import shutil
 import signal
+import stat
 import subprocess
 import sys
 import tempfile
@@ -119,13 +120,13 @@ def process_control(option, value):
 def descendants(pid):
     """Processes below a process, zombies excepted."""
     parents = {}
-    for stat in Path("/proc").glob("[0-9]*/stat"):
+    for status in Path("/proc").glob("[0-9]*/stat"):
         try:
-            fields = stat.read_text().rpartition(")")[2].split()
+            fields = status.read_text().rpartition(")")[2].split()
         except OSError:  # it has ended
             continue
         if fields[0] != "Z":
-            parents[int(stat.parent.name)] = int(fields[1])
+            parents[int(status.parent.name)] = int(fields[1])
     found, new = set(), {pid}
     while new:
         new = {child for child, parent in parents.items() if parent in new and child not in found}
@@ -146,11 +147,16 @@ def end_all(folder):
         return not victims
 
     waiting.until(all_gone, "the processes of the test are killed")
-    for path, names, _ in os.walk(folder):
-        for name in names:
-            if not os.path.islink(os.path.join(path, name)):
-                os.chmod(os.path.join(path, name), 0o700)  # as tests leave folders that may not be written to
+    make_writable(folder)
     shutil.rmtree(folder, ignore_errors=True)
+
+
+def make_writable(folder):
+    """Let all folders below one be removed: tests leave some that may not be written to, and paths too long to be named."""
+    for _, names, _, descriptor in os.fwalk(folder):
+        for name in names:
+            if not stat.S_ISLNK(os.stat(name, dir_fd=descriptor, follow_symlinks=False).st_mode):
+                os.chmod(name, 0o700, dir_fd=descriptor)
 
 
 def reap():

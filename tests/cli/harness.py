@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Callable
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import keeper  # noqa: E402
 import waiting  # noqa: E402
 
 DECK = """\
@@ -287,7 +288,7 @@ def run_cases(name, cases, ljmd, golden_path, update):
     skipped = 0
     for case in cases:
         with tempfile.TemporaryDirectory(prefix="ljmd-cli-") as directory, contextlib.ExitStack() as stack:
-            stack.callback(make_writable, directory)
+            stack.callback(keeper.make_writable, directory)
             try:
                 case.test(Context(ljmd, directory, lambda text, key=case.name: golden.compare(key, text)))
             except Skip as reason:
@@ -303,9 +304,3 @@ def run_cases(name, cases, ljmd, golden_path, update):
     for complaint in wrong:
         print(f"FAILED {name}: {complaint}")
     return len(cases) - failed - skipped, failed + len(wrong)
-
-
-def make_writable(directory):
-    for path in Path(directory).rglob("*"):
-        if path.is_dir() and not path.is_symlink():
-            path.chmod(0o700)

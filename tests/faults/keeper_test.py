@@ -4,7 +4,7 @@
 Usage: keeper_test.py
 
 The test has started a daemon that is deaf to signals, in a session of its own and with a parent that has ended, and has left
-a folder for temporary files that may not be written to. Prints "N passed, M failed". Exit code 1 when something failed.
+a folder for temporary files that may not be written to, in which paths are longer than the system takes. Prints "N passed, M failed". Exit code 1 when something failed.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ DAEMON = "(trap '' HUP INT QUIT TERM; setsid tail -f /dev/null & setsid tail -f 
 ENDS = {"returns": 7, "words": 1, "raises": 1, "test": 128 + signal.SIGKILL, "keeper": 128 + signal.SIGKILL, "called": -signal.SIGKILL,
         "group": -signal.SIGKILL, "told": 128 + signal.SIGTERM, "interrupted": 128 + signal.SIGTERM}
 
+LONG = "d" * 200
+
 
 def name_of(pid: int) -> str:
     try:
@@ -36,7 +38,13 @@ def name_of(pid: int) -> str:
 def made_up_test(end: str) -> int:
     folder = Path(tempfile.gettempdir())
     (folder / "inner/innermost").mkdir(parents=True)
-    (folder / "inner").chmod(0o555)
+    depth = os.open(folder / "inner/innermost", os.O_RDONLY)
+    for _ in range(1 + os.pathconf(folder, "PC_PATH_MAX") // len(LONG)):
+        os.mkdir(LONG, dir_fd=depth)
+        parent, depth = depth, os.open(LONG, os.O_RDONLY, dir_fd=depth)
+        os.fchmod(parent, 0o555)
+        os.close(parent)
+    (folder / "inner").chmod(0)
     subprocess.run(["/bin/sh", "-c", DAEMON], check=True)
     waiting.until(lambda: [name_of(pid) for pid in keeper.descendants(os.getpid())].count("tail") == 2, "two daemons")
     print(os.getpid(), os.getppid(), folder, flush=True)
