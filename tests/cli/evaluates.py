@@ -9,7 +9,7 @@ import shutil
 
 from pathlib import Path
 
-from harness import ARGON, Case, DECK, STARS
+from harness import ARGON, Case, STARS
 
 NIST = Path(__file__).resolve().parent.parent / "data/nist"
 CUT = ("--truncation", "cut", "--tail", "false")

@@ -8,7 +8,9 @@ import contextlib
 import fcntl
 import json
 import os
+import pty
 import re
+import select
 import subprocess
 import sys
 import tempfile
@@ -203,7 +205,9 @@ class Context:
 
     def files(self, path="."):
         """Names of all files and directories below a directory."""
-        return sorted(str(p.relative_to(self.dir / path)) for p in (self.dir / path).rglob("*"))
+        top = self.dir / path
+        return sorted(os.path.relpath(os.path.join(folder, name), top)
+                      for folder, folders, files, _ in os.fwalk(top) for name in folders + files)  # also where paths are too long
 
 
 def decoded(data):
@@ -266,6 +270,30 @@ def check_same_run(found, expected):
 def snapshot(directory):
     """Every file's bytes, so that two looks at a directory can be compared."""
     return {str(p.relative_to(directory)): p.read_bytes() for p in sorted(Path(directory).rglob("*")) if p.is_file()}
+
+
+def on_a_terminal(t, *arguments, stdout=subprocess.PIPE, **variables):
+    """Run ljmd with stderr on a pseudo-terminal. @return exit code, stdout unless it goes elsewhere, stderr"""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=stdout, stderr=theirs,
+                          env={**clean_environment(), **variables}) as program:
+        os.close(theirs)
+        seen = b""
+        while select.select([ours], [], [], waiting.PATIENCE)[0]:
+            try:
+                data = os.read(ours, 65536)  # holds a page or less
+            except OSError:  # Linux: the other end is closed
+                break
+            if not data:
+                break
+            seen += data
+        else:
+            program.kill()
+            raise Failure("hangs on a terminal")
+        out = program.stdout.read().decode() if program.stdout else ""
+        code = program.wait()
+    os.close(ours)
+    return code, out, seen.decode()
 
 
 @contextlib.contextmanager

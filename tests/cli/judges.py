@@ -310,8 +310,8 @@ def files_are_named_as_the_user_does(t):
     t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", half)).err, "error: {output}/thermo.csv:3: ")
     t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", half, "--out", "out")).err,
                "error: out/exchange/answer/thermo.csv:3: ")
-    crash = script(t, "print('see', into, sys.argv[1])\nsys.exit(3)")
-    t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", crash)).err, "see {output} {input}")
+    crash = script(t, "print('see', into, 'and', sys.argv[1], sep='\\n')\nsys.exit(3)")
+    t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", crash)).err, "  see\n  {output}\n  and\n  {input}")
     unknown = script(t, "open(into + '/point.json', 'w').write('{\"kinetic_energy\": 1, \"flux\": 2}')")
     t.contains(t.expect(5, t.run("compare", "deck.toml", "--quiet", "--with", unknown)).err,
                "warning: {output}/point.json: the key 'flux' is not known")

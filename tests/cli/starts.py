@@ -192,7 +192,7 @@ def decompression_bomb(t):
     """1 GB of atoms in 1 MB: refused, in little memory."""
     atoms = b"Ar 0 0 0\n" * 600_000
     with open(t.dir / "pair.xyz", "wb") as file:
-        file.write(gzip.compress(f'1000000000\nLattice="9 0 0 0 9 0 0 0 9"\n'.encode()))
+        file.write(gzip.compress('1000000000\nLattice="9 0 0 0 9 0 0 0 9"\n'.encode()))
         member = gzip.compress(atoms)
         for _ in range(200):
             file.write(member)

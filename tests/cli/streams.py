@@ -2,40 +2,13 @@
 
 import json
 import os
-import pty
 import re
-import select
 import subprocess
 
-from harness import DECK, Case, Failure, Skip, clean_environment
-import waiting
+from harness import DECK, Case, Skip, clean_environment, on_a_terminal
 
 LONG = DECK.replace("steps = 40", "steps = 400")  # long enough for a few lines of progress
 RATE = r"\[(melt|production)\] +\d+ % step \d+/\d+  [\d.e+]+ steps/s  [\d.e+]+ atom-steps/s  ETA (\d+:)*\d+"
-
-
-def on_a_terminal(t, *arguments):
-    """Run ljmd with stderr on a pseudo-terminal. @return exit code, stdout, stderr"""
-    ours, theirs = pty.openpty()
-    with subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,
-                          env=clean_environment()) as program:
-        os.close(theirs)
-        seen = b""
-        while select.select([ours], [], [], waiting.PATIENCE)[0]:
-            try:
-                data = os.read(ours, 65536)
-            except OSError:  # Linux: the other end is closed
-                break
-            if not data:
-                break
-            seen += data
-        else:
-            program.kill()
-            raise Failure("hangs on a terminal")
-        out = program.stdout.read()
-        code = program.wait()
-    os.close(ours)
-    return code, out.decode(), seen.decode()
 
 
 def plain_lines_off_a_terminal(t):

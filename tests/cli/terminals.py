@@ -14,7 +14,7 @@ import subprocess
 import termios
 
 from emulator import Terminal, columns_of
-from harness import ARGON, DECK, STARS, Case, Failure, clean_environment
+from harness import ARGON, DECK, STARS, Case, Failure, clean_environment, on_a_terminal
 import waiting
 
 LINE = re.compile(r"\r\x1b\[\?7l([^\r]+?)\x1b\[J\x1b\[\?7h\r")  # a line of progress as the program writes it
@@ -132,13 +132,9 @@ def doubts_stand_once(t):
         t.equal(program.run(), 0, "exit code")
         for one in said:
             t.equal(f"warning: {one}\n" in program.terminals[0].text(), beside, f"{one!r} as a message with {arguments}")
-    ours, theirs = pty.openpty()
     with open(t.dir / "results", "w", encoding="utf-8") as results:
-        subprocess.run([t.ljmd, "run", "deck.toml", "--force"], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=results,
-                       stderr=theirs, env=clean_environment(), check=True)
-    os.close(theirs)
-    seen = os.read(ours, 1 << 16).decode()
-    os.close(ours)
+        code, _, seen = on_a_terminal(t, "run", "deck.toml", "--force", stdout=results)
+    t.equal(code, 0, "exit code")
     t.check(all(one in seen for one in said), f"not said beside a file: {seen!r}")
 
 
@@ -246,20 +242,9 @@ def few_bodies(t):
 
 def no_progress_on_a_dumb_terminal(t):
     t.deck()
-    ours, theirs = pty.openpty()
-    with subprocess.Popen([t.ljmd, "run", "deck.toml"], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                          stderr=theirs, env={**clean_environment(), "TERM": "dumb"}) as program:
-        os.close(theirs)
-        seen = b""
-        while True:
-            try:
-                data = os.read(ours, 65536)
-            except OSError:
-                break
-            seen += data
-    os.close(ours)
-    t.equal(program.returncode, 0, "exit code")
-    t.check(b"\x1b" not in seen and b"steps/s" in seen, f"on a dumb terminal: {seen!r}")
+    code, _, seen = on_a_terminal(t, "run", "deck.toml", stdout=subprocess.DEVNULL, TERM="dumb")
+    t.equal(code, 0, "exit code")
+    t.check("\x1b" not in seen and "steps/s" in seen, f"on a dumb terminal: {seen!r}")
 
 
 def cases():

@@ -90,7 +90,9 @@ std::optional<DataTable> Scattering::modes() const {
     const Eigen::VectorXd values = modes_of(collective_.mean());
     const Eigen::VectorXd errors = collective_.errors(collective);
     const Eigen::VectorXd diffusion = diffusion_of(halves_.mean());
-    const Eigen::VectorXd diffusion_errors = halves_.errors(self);
+    // Origins that are less than the largest time apart have frames in common.
+    const Index shared = (lags_.count + frames_between_origins_ - 1) / frames_between_origins_;
+    const Eigen::VectorXd diffusion_errors = halves_.errors(self, shared);
     DataTable table{"modes",
                     {"k", "sound_velocity", "sound_velocity_standard_error", "sound_attenuation",
                      "sound_attenuation_standard_error", "transverse_viscosity", "transverse_viscosity_standard_error",

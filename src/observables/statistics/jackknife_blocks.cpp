@@ -1,5 +1,6 @@
 #include "ljmd/observables/statistics/jackknife_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,16 +42,33 @@ Eigen::VectorXd JackknifeBlocks::sum() const {
     return sum;
 }
 
+std::vector<Eigen::VectorXd> JackknifeBlocks::joined(std::size_t count) const {
+    std::vector<Eigen::VectorXd> longer;
+    for (std::size_t end = count; end <= means_.size(); end += count) {
+        Eigen::VectorXd mean = means_[end - count];
+        for (std::size_t k = end - count + 1; k < end; ++k) {
+            mean += means_[k];
+        }
+        longer.emplace_back(mean / static_cast<double>(count));
+    }
+    return longer;
+}
+
 Eigen::VectorXd JackknifeBlocks::errors(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const {
-    const auto blocks = static_cast<double>(means_.size());
-    const Eigen::VectorXd all = sum();
-    if (means_.size() < least_blocks) {
-        return Eigen::VectorXd::Constant(function(all / blocks).size(), std::numeric_limits<double>::quiet_NaN());
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function, Index shared) const {
+    const Index count = std::max(Index{1}, (2 * shared + length_ - 1) / length_);
+    const std::vector<Eigen::VectorXd> means = joined(static_cast<std::size_t>(count));
+    if (means.size() < least_blocks) {
+        return Eigen::VectorXd::Constant(function(mean()).size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    const auto blocks = static_cast<double>(means.size());
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(width_);
+    for (const Eigen::VectorXd& block : means) {
+        all += block;
     }
     std::vector<Eigen::VectorXd> without;
-    without.reserve(means_.size());
-    for (const Eigen::VectorXd& block : means_) {
+    without.reserve(means.size());
+    for (const Eigen::VectorXd& block : means) {
         without.push_back(function((all - block) / (blocks - 1.0)));
     }
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(without.front().size());
@@ -61,7 +79,8 @@ Eigen::VectorXd JackknifeBlocks::errors(
     for (const Eigen::VectorXd& each : without) {
         squares += (each - mean).cwiseAbs2();
     }
-    return ((blocks - 1.0) / blocks * squares).cwiseSqrt();
+    const double unseen = static_cast<double>(shared) / (3.0 * static_cast<double>(count * length_));
+    return ((blocks - 1.0) / blocks * squares / (1.0 - unseen)).cwiseSqrt();
 }
 
 void JackknifeBlocks::archive(Archive& a) {

@@ -82,6 +82,31 @@ TEST_CASE("a slow process that fast noise hides is seen") {
     CHECK(std::sqrt(scatter / reported) < 1.32);
 }
 
+TEST_CASE("samples that share data have blocks that are long enough, or no error") {
+    // Means of 20 random numbers, each with 19 of the one before.
+    constexpr Index shared = 20;
+    constexpr int series = 400;
+    double scatter = 0.0;
+    double reported = 0.0;
+    double alone = 0.0;
+    std::mt19937_64 generator(3);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < series; ++k) {
+        JackknifeBlocks blocks(1);
+        const Eigen::VectorXd numbers = Eigen::VectorXd::NullaryExpr(41 * shared, [&] { return normal(generator); });
+        for (Index n = 0; n < 40 * shared; ++n) {
+            blocks.add(Eigen::VectorXd::Constant(1, numbers.segment(n, shared).mean()));
+        }
+        scatter += blocks.mean()[0] * blocks.mean()[0] / series;
+        reported += std::pow(blocks.errors(as_it_is, shared)[0], 2) / series;
+        alone += std::pow(blocks.errors(as_it_is)[0], 2) / series;
+        CHECK(std::isnan(blocks.errors(as_it_is, 2 * shared)[0]));
+    }
+    CHECK(std::sqrt(scatter / reported) > 0.9);
+    CHECK(std::sqrt(scatter / reported) < 1.12);
+    CHECK(std::sqrt(scatter / alone) > 1.15);  // as samples that share nothing
+}
+
 TEST_CASE("blocks go on from an archive to the same bits, and refuse those of another width") {
     JackknifeBlocks whole(1);
     JackknifeBlocks first(1);

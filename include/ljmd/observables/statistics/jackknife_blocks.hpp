@@ -38,8 +38,11 @@ class JackknifeBlocks {
 
     /// Standard errors of the components of a function of the means; NaN with fewer than 16 blocks.
     /// @param function  of the means, `width` components; returns the same number of components whenever it is called
+    /// @param shared  number of samples s, the first of which shares data with all before the last: samples that are
+    ///        n < s apart have a correlation of 1 - n/s. Blocks then have a length L >= 2 s, and what neighbours share,
+    ///        a part s/(3 L) of the variance of a mean, is added
     [[nodiscard]] Eigen::VectorXd errors(
-        const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const;
+        const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function, Index shared = 0) const;
 
     /// Memory of the blocks of so many samples, or of any number, also in a checkpoint [bytes].
     [[nodiscard]] static double bytes(Index width, Index samples = 64) {
@@ -51,6 +54,7 @@ class JackknifeBlocks {
 
   private:
     [[nodiscard]] Eigen::VectorXd sum() const;  ///< of the means of blocks
+    [[nodiscard]] std::vector<Eigen::VectorXd> joined(std::size_t count) const;  ///< means of so many blocks each
 
     Index width_;
     Index length_ = 1;     ///< samples of a block
