@@ -1,6 +1,8 @@
 # Options that every target of this project is compiled with, as the interface target ljmd_options.
 add_library(ljmd_options INTERFACE)
 target_compile_features(ljmd_options INTERFACE cxx_std_20)
+# Headers that are installed lie in include/; all others beside the sources, from where they are named.
+target_include_directories(ljmd_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(ljmd_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
     # Floating point: contraction would make results depend on the compiler's mood; the two others change no result and

@@ -105,7 +105,7 @@ if(ljmd_esbuild)
                 --outfile=${ljmd_page_script}
         DEPENDS ${ljmd_page}/report.js VERBATIM)
 endif()
-set(ljmd_page_arrays ${ljmd_version_include}/ljmd/report/page_arrays.hpp)
+set(ljmd_page_arrays ${ljmd_version_include}/report/page_arrays.hpp)
 add_custom_command(OUTPUT ${ljmd_page_arrays}
     COMMAND ${CMAKE_COMMAND} -D frame=${ljmd_page}/index.html -D style=${ljmd_page}/report.css -D script=${ljmd_page_script}
             -D output=${ljmd_page_arrays} -P ${PROJECT_SOURCE_DIR}/cmake/WritePageArrays.cmake

@@ -1,6 +1,6 @@
 # Kernels: every source in a folder src/<room>/simd is compiled once for each SIMD level that the compiler has flags for, with
 # LJMD_SIMD_LEVEL set to the level's name as an identifier. ljmd_simd_objects holds the objects of all levels;
-# ljmd/execution/simd_levels.hpp lists the levels.
+# execution/simd_levels.hpp lists the levels.
 #
 # portable is compiled with the flags of everything else. On ARM64 so is neon: all of these processors have it.
 set(ljmd_simd_levels portable)
@@ -52,13 +52,13 @@ foreach(level IN LISTS ljmd_simd_levels)
     string(APPEND cases "        case SimdLevel::${level}:\n            return compiled_here<Kernel, ${level}>();\n")
 endforeach()
 string(REGEX REPLACE ", $" "" values "${values}")
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/include/ljmd/execution/simd_levels.hpp CONTENT
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/include/execution/simd_levels.hpp CONTENT
 "#pragma once
 // Written by cmake/LjmdSimd.cmake.
 #include <array>
 
 #include \"ljmd/core/errors.hpp\"
-#include \"ljmd/execution/simd.hpp\"
+#include \"ljmd/detail/execution/simd.hpp\"
 
 namespace ljmd::simd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/hdf5/hdf5_exit.hpp"
+#include "io/hdf5/hdf5_exit.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "ljmd/analyze/deck_against_frames.hpp"
+#include "analyze/deck_against_frames.hpp"
 
 #include <fmt/format.h>
 

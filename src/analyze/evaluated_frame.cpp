@@ -1,4 +1,4 @@
-#include "ljmd/analyze/evaluated_frame.hpp"
+#include "analyze/evaluated_frame.hpp"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include <numeric>
 #include <utility>
 
+#include "core/number_text.hpp"
+#include "core/text.hpp"
+#include "engine/fluid_system.hpp"
+#include "engine/mistakes.hpp"
+#include "forces/atom_energies.hpp"
+#include "io/formats/configuration_reader.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/number_text.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/forces/atom_energies.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/observables/pairs_too_near.hpp"
+#include "model/box_for_cutoff.hpp"
+#include "observables/pairs_too_near.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/analyze/position_reading.hpp"
+#include "analyze/position_reading.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/analyze/thermo_report.hpp"
+#include "analyze/thermo_report.hpp"
 
 #include <fmt/format.h>
 
@@ -11,20 +11,20 @@
 #include <set>
 #include <span>
 
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "deck/deck_system.hpp"
+#include "deck/fluid.hpp"
+#include "deck/sampled_steps.hpp"
+#include "engine/fluid_measurement.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/sampled_steps.hpp"
-#include "ljmd/engine/fluid_measurement.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/response/response_functions.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/statistics/run_averages.hpp"
-#include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/results.hpp"
+#include "ljmd/detail/observables/statistics/run_averages.hpp"
+#include "model/velocities.hpp"
+#include "observables/response/response_functions.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "run/footnotes.hpp"
+#include "run/results.hpp"
 
 namespace ljmd {
 

@@ -1,20 +1,20 @@
-#include "ljmd/analyze/trajectory_analyses.hpp"
+#include "analyze/trajectory_analyses.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "core/text.hpp"
+#include "deck/fluid.hpp"
+#include "deck/tables/fluid_tables.hpp"
+#include "engine/mistakes.hpp"
+#include "input/deck_file.hpp"
+#include "input/deck_setting.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/tables/fluid_tables.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/input/deck_file.hpp"
-#include "ljmd/input/deck_setting.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/options/words_elsewhere.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "model/box_for_cutoff.hpp"
+#include "options/words_elsewhere.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/analyze/trajectory_analysis.hpp"
+#include "analyze/trajectory_analysis.hpp"
 
 #include <fmt/format.h>
 
@@ -6,19 +6,19 @@
 #include <cmath>
 #include <iterator>
 
-#include "ljmd/analyze/deck_against_frames.hpp"
+#include "analyze/deck_against_frames.hpp"
+#include "core/text.hpp"
+#include "deck/deck_execution.hpp"
+#include "deck/fluid.hpp"
+#include "execution/threads.hpp"
+#include "io/formats/frame_unwrapper.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/io/formats/frame_unwrapper.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/observables/interface/film.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/finite_size.hpp"
-#include "ljmd/run/results.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/box_for_cutoff.hpp"
+#include "observables/interface/film.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/finite_size.hpp"
+#include "run/results.hpp"
 
 namespace ljmd {
 

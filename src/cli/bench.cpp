@@ -1,4 +1,4 @@
-#include "ljmd/cli/bench.hpp"
+#include "cli/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <fstream>
 #include <string>
 
-#include "ljmd/cli/example_decks.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "cli/example_decks.hpp"
+#include "io/files/scratch_directory.hpp"
+#include "io/tables/json_text.hpp"
 
 namespace ljmd {
 

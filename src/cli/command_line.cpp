@@ -1,4 +1,4 @@
-#include "ljmd/cli/command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,13 +9,13 @@
 #include <sstream>
 #include <utility>
 
-#include "ljmd/cli/exit_code.hpp"
-#include "ljmd/cli/ranks.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/ranks.hpp"
+#include "cli/streams.hpp"
+#include "core/text.hpp"
+#include "execution/launched_ranks.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/execution/launched_ranks.hpp"
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/cli/deck_options.hpp"
+#include "cli/deck_options.hpp"
 
-#include "ljmd/cli/streams.hpp"
+#include "cli/streams.hpp"
+#include "execution/threads.hpp"
+#include "input/reduced_number.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/simd.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/input/reduced_number.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 
 namespace ljmd {
 

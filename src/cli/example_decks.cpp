@@ -1,13 +1,13 @@
-#include "ljmd/cli/example_decks.hpp"
+#include "cli/example_decks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/cli/example_deck_texts.hpp"
+#include "cli/example_deck_texts.hpp"
+#include "core/text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 namespace ljmd {
 

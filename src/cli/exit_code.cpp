@@ -1,4 +1,4 @@
-#include "ljmd/cli/exit_code.hpp"
+#include "cli/exit_code.hpp"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <new>
 #include <string>
 
-#include "ljmd/cli/streams.hpp"
+#include "cli/streams.hpp"
+#include "execution/ranks.hpp"
+#include "execution/thread_team.hpp"
+#include "io/files/process.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "run/output_guard.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "ljmd/cli/command_line.hpp"
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/io/hdf5/hdf5_exit.hpp"
+#include "cli/command_line.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "io/hdf5/hdf5_exit.hpp"
 
 int main(int argc, char** argv) {
     ljmd::forget_inherited_signals();

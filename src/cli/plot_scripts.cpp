@@ -1,13 +1,13 @@
-#include "ljmd/cli/plot_scripts.hpp"
+#include "cli/plot_scripts.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <optional>
 
+#include "io/files/file_system.hpp"
+#include "io/files/process.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/process.hpp"
 
 namespace ljmd {
 

@@ -1,12 +1,12 @@
-#include "ljmd/cli/progress.hpp"
+#include "cli/progress.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/core/text.hpp"
+#include "cli/streams.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

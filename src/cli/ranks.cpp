@@ -1,4 +1,4 @@
-#include "ljmd/cli/ranks.hpp"
+#include "cli/ranks.hpp"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,17 @@
 #include <exception>
 #include <optional>
 
-#include "../execution/mpi_module.hpp"
-#include "ljmd/cli/exit_code.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
+#include "deck/deck_system.hpp"
+#include "execution/launched_ranks.hpp"
+#include "execution/mpi_module.hpp"
+#include "execution/rank_agreement.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/execution/launched_ranks.hpp"
-#include "ljmd/execution/rank_agreement.hpp"
-#include "ljmd/model/checksum.hpp"
-#include "ljmd/neighbors/verlet_list.hpp"
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/run_record.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "model/checksum.hpp"
+#include "neighbors/verlet_list.hpp"
+#include "run/run_record.hpp"
 
 namespace ljmd {
 

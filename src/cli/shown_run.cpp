@@ -1,9 +1,9 @@
-#include "ljmd/cli/shown_run.hpp"
+#include "cli/shown_run.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/report/written_report.hpp"
+#include "cli/streams.hpp"
+#include "report/written_report.hpp"
 
 namespace ljmd {
 

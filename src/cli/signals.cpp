@@ -1,4 +1,4 @@
-#include "ljmd/cli/signals.hpp"
+#include "cli/signals.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): POSIX's
@@ -9,7 +9,7 @@
 #include <ctime>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/units.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/cli/streams.hpp"
+#include "cli/streams.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,11 +14,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/terminal_text.hpp"
+#include "core/text.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/terminal_text.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 

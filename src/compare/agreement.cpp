@@ -1,11 +1,11 @@
-#include "ljmd/compare/agreement.hpp"
+#include "compare/agreement.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "ljmd/model/box.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

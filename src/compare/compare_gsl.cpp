@@ -1,22 +1,22 @@
-#include "ljmd/compare/compare_gsl.hpp"
+#include "compare/compare_gsl.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/text_table.hpp"
+#include "deck/deck_system.hpp"
+#include "integrators/reference_trajectory.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/integrators/reference_trajectory.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/few_body/few_body.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/run/run_report.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
+#include "ljmd/detail/observables/few_body/few_body.hpp"
+#include "model/velocities.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
+#include "run/run_report.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/crosscheck.hpp"
+#include "compare/crosscheck.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,15 +8,15 @@
 #include <cmath>
 #include <future>
 
-#include "ljmd/compare/lammps.hpp"
-#include "ljmd/compare/openmm.hpp"
-#include "ljmd/compare/point_comparison.hpp"
+#include "compare/lammps.hpp"
+#include "compare/openmm.hpp"
+#include "compare/point_comparison.hpp"
+#include "core/stopwatch.hpp"
+#include "execution/thread_team.hpp"
+#include "execution/threads.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
 
 namespace ljmd {
 

@@ -1,13 +1,13 @@
-#include "ljmd/compare/crosscheck_report.hpp"
+#include "compare/crosscheck_report.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/run/run_report.hpp"
+#include "core/text_table.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
+#include "run/run_report.hpp"
 
 namespace ljmd {
 

@@ -1,13 +1,13 @@
-#include "ljmd/compare/ensemble_comparison.hpp"
+#include "compare/ensemble_comparison.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "ljmd/compare/point_comparison.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/structure/radial_distribution.hpp"
+#include "compare/point_comparison.hpp"
+#include "integrators/integrator.hpp"
+#include "model/velocities.hpp"
+#include "observables/structure/radial_distribution.hpp"
 
 namespace ljmd {
 

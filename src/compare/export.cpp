@@ -1,25 +1,25 @@
-#include "ljmd/compare/export.hpp"
+#include "compare/export.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <array>
 
-#include "ljmd/compare/fluid.hpp"
-#include "ljmd/compare/lammps_input.hpp"
-#include "ljmd/compare/openmm.hpp"
+#include "compare/fluid.hpp"
+#include "compare/lammps_input.hpp"
+#include "compare/openmm.hpp"
+#include "core/text.hpp"
+#include "deck/fluid.hpp"
+#include "engine/fluid_system.hpp"
+#include "io/files/output_file.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/options/toml_writer.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "options/toml_writer.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/fluid.hpp"
+#include "compare/fluid.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/lammps_input.hpp"
+#include "compare/lammps_input.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

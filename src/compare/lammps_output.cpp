@@ -1,4 +1,4 @@
-#include "ljmd/compare/lammps_output.hpp"
+#include "compare/lammps_output.hpp"
 
 #include <fmt/format.h>
 

@@ -5,17 +5,17 @@
 #include <fstream>
 #include <iterator>
 
-#include "ljmd/compare/lammps.hpp"
-#include "ljmd/compare/lammps_input.hpp"
-#include "ljmd/compare/lammps_output.hpp"
+#include "compare/lammps.hpp"
+#include "compare/lammps_input.hpp"
+#include "compare/lammps_output.hpp"
+#include "execution/thread_team.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/output_file.hpp"
+#include "io/files/process.hpp"
+#include "io/files/scratch_directory.hpp"
+#include "io/files/shown_path.hpp"
+#include "io/formats/lammps_dump.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/io/files/shown_path.hpp"
-#include "ljmd/io/formats/lammps_dump.hpp"
 
 namespace ljmd {
 

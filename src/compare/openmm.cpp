@@ -1,4 +1,4 @@
-#include "ljmd/compare/openmm.hpp"
+#include "compare/openmm.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "ljmd/compare/openmm_expression.hpp"
+#include "compare/openmm_expression.hpp"
+#include "compare/openmm_module.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/program_module.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/program_module.hpp"
-#include "openmm_module.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/openmm_expression.hpp"
+#include "compare/openmm_expression.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/compare/openmm.hpp"
-#include "ljmd/potentials/pair_term.hpp"
+#include "compare/openmm.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/compare/point_comparison.hpp"
+#include "compare/point_comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 namespace ljmd {
 

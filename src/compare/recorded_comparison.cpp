@@ -1,15 +1,15 @@
-#include "ljmd/compare/recorded_comparison.hpp"
+#include "compare/recorded_comparison.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "core/text.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,13 +1,13 @@
-#include "ljmd/compare/trajectory_comparison.hpp"
+#include "compare/trajectory_comparison.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/linear_trend.hpp"
+#include "integrators/integrator.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/linear_trend.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/core/archive.hpp"
+#include "ljmd/detail/core/archive.hpp"
 
 #include <fmt/format.h>
 

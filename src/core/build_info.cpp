@@ -1,6 +1,6 @@
 #include "ljmd/core/build_info.hpp"
 
-#include "ljmd/core/version.hpp"
+#include "core/version.hpp"
 
 namespace ljmd {
 

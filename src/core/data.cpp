@@ -1,4 +1,4 @@
-#include "ljmd/core/data.hpp"
+#include "ljmd/detail/core/data.hpp"
 
 #include <algorithm>
 #include <array>

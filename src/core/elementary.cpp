@@ -1,4 +1,4 @@
-#include "ljmd/core/elementary.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/core/gsl_errors.hpp"
+#include "core/gsl_errors.hpp"
 
 #include <gsl/gsl_errno.h>
 

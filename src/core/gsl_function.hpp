@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "ljmd/core/gsl_errors.hpp"
+#include "core/gsl_errors.hpp"
 
 namespace ljmd {
 

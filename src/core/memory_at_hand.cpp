@@ -1,4 +1,4 @@
-#include "ljmd/core/memory_at_hand.hpp"
+#include "core/memory_at_hand.hpp"
 
 #include <sys/mman.h>
 

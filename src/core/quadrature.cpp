@@ -1,4 +1,4 @@
-#include "ljmd/core/quadrature.hpp"
+#include "core/quadrature.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_integration.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "gsl_function.hpp"
+#include "core/gsl_function.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

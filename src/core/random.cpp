@@ -1,10 +1,10 @@
-#include "ljmd/core/random.hpp"
+#include "core/random.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "ljmd/core/elementary.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

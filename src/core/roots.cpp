@@ -1,4 +1,4 @@
-#include "ljmd/core/roots.hpp"
+#include "core/roots.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_roots.h>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "gsl_function.hpp"
+#include "core/gsl_function.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

@@ -1,6 +1,6 @@
-#include "ljmd/core/terminal_text.hpp"
+#include "core/terminal_text.hpp"
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

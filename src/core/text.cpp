@@ -1,4 +1,4 @@
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "ljmd/core/number_text.hpp"
-#include "ljmd/core/terminal_text.hpp"
+#include "core/number_text.hpp"
+#include "core/terminal_text.hpp"
 
 namespace ljmd {
 

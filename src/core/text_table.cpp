@@ -1,12 +1,12 @@
-#include "ljmd/core/text_table.hpp"
+#include "core/text_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/number_text.hpp"
-#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 

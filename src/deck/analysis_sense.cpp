@@ -1,14 +1,14 @@
-#include "ljmd/deck/analysis_sense.hpp"
+#include "deck/analysis_sense.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/deck/mistake_report.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "deck/deck_stages.hpp"
+#include "deck/mistake_report.hpp"
+#include "engine/film_mistakes.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd {
 

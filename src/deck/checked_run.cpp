@@ -1,11 +1,11 @@
-#include "ljmd/deck/checked_run.hpp"
+#include "deck/checked_run.hpp"
 
 #include <utility>
 
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/few_body_check.hpp"
-#include "ljmd/deck/forecast.hpp"
-#include "ljmd/deck/start_sense.hpp"
+#include "deck/deck_execution.hpp"
+#include "deck/few_body_check.hpp"
+#include "deck/forecast.hpp"
+#include "deck/start_sense.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck.hpp"
+#include "deck/deck.hpp"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/deck/effect_sense.hpp"
-#include "ljmd/deck/few_body_sense.hpp"
-#include "ljmd/deck/phase_sense.hpp"
-#include "ljmd/deck/start_sense.hpp"
-#include "ljmd/input/deck_file.hpp"
-#include "ljmd/input/deck_setting.hpp"
+#include "deck/deck_sense.hpp"
+#include "deck/deck_stages.hpp"
+#include "deck/effect_sense.hpp"
+#include "deck/few_body_sense.hpp"
+#include "deck/phase_sense.hpp"
+#include "deck/start_sense.hpp"
+#include "input/deck_file.hpp"
+#include "input/deck_setting.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/deck/deck_execution.hpp"
+#include "deck/deck_execution.hpp"
 
-#include "ljmd/execution/threads.hpp"
+#include "execution/threads.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/deck_schema.hpp"
+#include "deck/deck_schema.hpp"
 
-#include "ljmd/deck/tables/few_body_tables.hpp"
-#include "ljmd/deck/tables/fluid_tables.hpp"
-#include "ljmd/input/deck_reference.hpp"
-#include "ljmd/input/json_schema.hpp"
+#include "deck/tables/few_body_tables.hpp"
+#include "deck/tables/fluid_tables.hpp"
+#include "input/deck_reference.hpp"
+#include "input/json_schema.hpp"
 
 namespace ljmd {
 

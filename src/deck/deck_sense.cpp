@@ -1,18 +1,18 @@
-#include "ljmd/deck/deck_sense.hpp"
+#include "deck/deck_sense.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/deck/analysis_sense.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/mistake_report.hpp"
-#include "ljmd/deck/stage_sense.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
+#include "deck/analysis_sense.hpp"
+#include "deck/fluid.hpp"
+#include "deck/mistake_report.hpp"
+#include "deck/stage_sense.hpp"
+#include "engine/film_mistakes.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
+#include "model/box_for_cutoff.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck_stages.hpp"
+#include "deck/deck_stages.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/deck/deck_system.hpp"
+#include "deck/deck_system.hpp"
 
+#include "engine/few_body_system.hpp"
+#include "engine/mistakes.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/engine/mistakes.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/effect_sense.hpp"
+#include "deck/effect_sense.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/forces/few_body_force.hpp"
-#include "ljmd/neighbors/verlet_list.hpp"
+#include "forces/few_body_force.hpp"
+#include "neighbors/verlet_list.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/few_body_check.hpp"
+#include "deck/few_body_check.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "engine/few_body_system.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

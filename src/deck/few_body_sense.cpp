@@ -1,14 +1,14 @@
-#include "ljmd/deck/few_body_sense.hpp"
+#include "deck/few_body_sense.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/deck/mistake_report.hpp"
-#include "ljmd/engine/few_body_system.hpp"
+#include "deck/deck_sense.hpp"
+#include "deck/deck_stages.hpp"
+#include "deck/mistake_report.hpp"
+#include "engine/few_body_system.hpp"
 
 namespace ljmd {
 

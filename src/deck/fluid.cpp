@@ -1,15 +1,15 @@
-#include "ljmd/deck/fluid.hpp"
+#include "deck/fluid.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "ljmd/core/elementary.hpp"
+#include "deck/deck_stages.hpp"
+#include "io/files/input_file.hpp"
+#include "io/formats/configuration_reader.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/detail/core/elementary.hpp"
+#include "model/box_for_cutoff.hpp"
 
 namespace ljmd {
 

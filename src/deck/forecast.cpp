@@ -1,4 +1,4 @@
-#include "ljmd/deck/forecast.hpp"
+#include "deck/forecast.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,11 +10,11 @@
 #include <optional>
 #include <utility>
 
+#include "deck/size_forecast.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/size_forecast.hpp"
-#include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/deck/history_columns.hpp"
+#include "deck/history_columns.hpp"
 
 #include <algorithm>
 
-#include "ljmd/integrators/barostat.hpp"
+#include "integrators/barostat.hpp"
 
 namespace ljmd {
 

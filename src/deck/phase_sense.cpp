@@ -1,12 +1,12 @@
-#include "ljmd/deck/phase_sense.hpp"
+#include "deck/phase_sense.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/requested_temperature.hpp"
-#include "ljmd/reference/freezing.hpp"
+#include "deck/fluid.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
+#include "ljmd/detail/reference/freezing.hpp"
 
 namespace ljmd {
 

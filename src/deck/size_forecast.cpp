@@ -1,11 +1,11 @@
-#include "ljmd/deck/size_forecast.hpp"
+#include "deck/size_forecast.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/neighbors/linked_cells.hpp"
+#include "io/formats/trajectory_writer.hpp"
+#include "neighbors/linked_cells.hpp"
 
 namespace ljmd {
 

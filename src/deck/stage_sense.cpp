@@ -1,14 +1,14 @@
-#include "ljmd/deck/stage_sense.hpp"
+#include "deck/stage_sense.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "ljmd/deck/deck_stages.hpp"
-#include "ljmd/deck/mistake_report.hpp"
-#include "ljmd/engine/until_mistakes.hpp"
-#include "ljmd/integrators/thermostat.hpp"
+#include "deck/deck_stages.hpp"
+#include "deck/mistake_report.hpp"
+#include "engine/until_mistakes.hpp"
+#include "integrators/thermostat.hpp"
 
 namespace ljmd {
 

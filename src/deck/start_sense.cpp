@@ -1,14 +1,14 @@
-#include "ljmd/deck/start_sense.hpp"
+#include "deck/start_sense.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/phase_sense.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "deck/deck_sense.hpp"
+#include "deck/phase_sense.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/domain/ghost_exchange.hpp"
+#include "domain/ghost_exchange.hpp"
 
 #include <utility>
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

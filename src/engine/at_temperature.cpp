@@ -1,4 +1,4 @@
-#include "ljmd/engine/at_temperature.hpp"
+#include "engine/at_temperature.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
 #include "ljmd/engine/choices.hpp"
 
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/options/choice.hpp"
 
 namespace ljmd {

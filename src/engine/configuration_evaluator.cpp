@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/mistakes.hpp"
+#include "forces/atom_energies.hpp"
+#include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/forces/atom_energies.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/model/state.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
-#include "ljmd/observables/pairs_too_near.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/model/state.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/box_for_cutoff.hpp"
+#include "neighbors/pair_search.hpp"
+#include "observables/pairs_too_near.hpp"
 
 namespace ljmd {
 

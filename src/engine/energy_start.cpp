@@ -1,11 +1,11 @@
-#include "ljmd/engine/energy_start.hpp"
+#include "ljmd/detail/engine/energy_start.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/few_body_measurement.hpp"
+#include "engine/few_body_measurement.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/engine/few_body_simulation.hpp"
+#include "engine/few_body_simulation.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "ljmd/engine/few_body_system.hpp"
+#include "engine/few_body_system.hpp"
 
 namespace ljmd {
 

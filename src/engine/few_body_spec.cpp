@@ -1,4 +1,4 @@
-#include "ljmd/engine/few_body_spec.hpp"
+#include "engine/few_body_spec.hpp"
 
 namespace ljmd {
 

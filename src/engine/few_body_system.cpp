@@ -1,4 +1,4 @@
-#include "ljmd/engine/few_body_system.hpp"
+#include "engine/few_body_system.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/engine/film_mistakes.hpp"
+#include "engine/film_mistakes.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "keys_of_mistakes.hpp"
+#include "engine/keys_of_mistakes.hpp"
 namespace ljmd {
 
 namespace {

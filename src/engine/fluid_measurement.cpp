@@ -1,4 +1,4 @@
-#include "ljmd/engine/fluid_measurement.hpp"
+#include "engine/fluid_measurement.hpp"
 
 #include <fmt/format.h>
 
@@ -7,18 +7,18 @@
 #include <limits>
 #include <utility>
 
+#include "core/stopwatch.hpp"
+#include "core/text.hpp"
+#include "engine/mistakes.hpp"
+#include "engine/result_doubts.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/engine/result_doubts.hpp"
-#include "ljmd/model/all_atoms.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
-#include "ljmd/model/checksum.hpp"
-#include "ljmd/observables/interface/film.hpp"
-#include "ljmd/observables/response/response_functions.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/finite_size.hpp"
+#include "model/all_atoms.hpp"
+#include "model/atoms_by_id.hpp"
+#include "model/checksum.hpp"
+#include "observables/interface/film.hpp"
+#include "observables/response/response_functions.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/finite_size.hpp"
 
 namespace ljmd {
 

@@ -8,14 +8,14 @@
 #include <iterator>
 #include <set>
 
+#include "engine/film_mistakes.hpp"
+#include "engine/mistakes.hpp"
+#include "engine/until_mistakes.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/engine/until_mistakes.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/model/box_for_cutoff.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
+#include "model/box_for_cutoff.hpp"
+#include "neighbors/pair_search.hpp"
 
 namespace ljmd {
 

@@ -1,13 +1,13 @@
-#include "ljmd/engine/fluid_system.hpp"
+#include "engine/fluid_system.hpp"
 
 #include <fmt/format.h>
 
+#include "engine/film_mistakes.hpp"
+#include "execution/first_touch.hpp"
+#include "execution/ranks.hpp"
+#include "integrators/relaxation.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/execution/first_touch.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/integrators/relaxation.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

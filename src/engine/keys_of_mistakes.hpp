@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "ljmd/engine/tables/potential_table.hpp"
-#include "ljmd/engine/tables/system_table.hpp"
-#include "ljmd/options/placed.hpp"
+#include "engine/tables/potential_table.hpp"
+#include "engine/tables/system_table.hpp"
+#include "options/placed.hpp"
 
 namespace ljmd {
 

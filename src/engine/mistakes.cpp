@@ -1,4 +1,4 @@
-#include "ljmd/engine/mistakes.hpp"
+#include "engine/mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,11 +9,11 @@
 #include <set>
 #include <utility>
 
-#include "keys_of_mistakes.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
+#include "core/text.hpp"
+#include "engine/keys_of_mistakes.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
+#include "neighbors/pair_search.hpp"
 
 namespace ljmd {
 

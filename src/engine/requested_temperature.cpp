@@ -1,14 +1,14 @@
-#include "ljmd/engine/requested_temperature.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/at_temperature.hpp"
+#include "engine/film_mistakes.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/at_temperature.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/reference/equation_doubts.hpp"
+#include "reference/equation_doubts.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/result_doubts.hpp"
+#include "engine/result_doubts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "core/text.hpp"
+#include "integrators/integrator.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #include "ljmd/engine/run_result.hpp"
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 namespace ljmd {
 

@@ -7,14 +7,14 @@
 #include <cstring>
 #include <span>
 
+#include "engine/fluid_measurement.hpp"
+#include "engine/fluid_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/fluid_measurement.hpp"
-#include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/options/choice.hpp"
-#include "ljmd/options/placed.hpp"
-#include "ljmd/options/toml_writer.hpp"
-#include "ljmd/potentials/potential_identity.hpp"
+#include "options/placed.hpp"
+#include "options/toml_writer.hpp"
+#include "potentials/potential_identity.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/stability.hpp"
+#include "engine/stability.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 

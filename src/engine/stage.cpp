@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "engine/until_mistakes.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/until_mistakes.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/options/placed.hpp"
+#include "options/placed.hpp"
 
 namespace ljmd {
 

@@ -1,18 +1,18 @@
-#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <utility>
 
+#include "core/stopwatch.hpp"
+#include "execution/first_touch.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "ljmd/execution/first_touch.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

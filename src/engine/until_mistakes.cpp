@@ -1,4 +1,4 @@
-#include "ljmd/engine/until_mistakes.hpp"
+#include "engine/until_mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "keys_of_mistakes.hpp"
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
+#include "engine/keys_of_mistakes.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
 namespace ljmd {

@@ -1,4 +1,4 @@
-#include "ljmd/execution/exact_sum.hpp"
+#include "execution/exact_sum.hpp"
 
 #include <algorithm>
 #include <cmath>

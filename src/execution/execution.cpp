@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "execution/ranks.hpp"
+#include "execution/thread_team.hpp"
+#include "execution/threads.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/execution/ranks.hpp"
+#include "execution/ranks.hpp"
 
 namespace ljmd {
 

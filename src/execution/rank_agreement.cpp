@@ -1,4 +1,4 @@
-#include "ljmd/execution/rank_agreement.hpp"
+#include "execution/rank_agreement.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>

@@ -1,4 +1,4 @@
-#include "ljmd/execution/ranks.hpp"
+#include "execution/ranks.hpp"
 
 #include <cstdlib>
 #include <cstring>

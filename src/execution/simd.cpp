@@ -1,4 +1,4 @@
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "execution/simd_levels.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/simd_levels.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/execution/thread_team.hpp"
+#include "execution/thread_team.hpp"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -14,10 +14,10 @@
 #include <system_error>
 #include <thread>
 
-#include "caller_account.hpp"
-#include "signals_blocked.hpp"
-#include "spin_until.hpp"
-#include "worker_account.hpp"
+#include "execution/caller_account.hpp"
+#include "execution/signals_blocked.hpp"
+#include "execution/spin_until.hpp"
+#include "execution/worker_account.hpp"
 
 namespace ljmd {
 

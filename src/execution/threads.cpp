@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "execution/threads.hpp"
 
 #include <fmt/format.h>
 #include <sched.h>

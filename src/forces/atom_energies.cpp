@@ -1,7 +1,7 @@
-#include "ljmd/forces/atom_energies.hpp"
+#include "forces/atom_energies.hpp"
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
+#include "execution/loops.hpp"
+#include "neighbors/pairs_within.hpp"
 
 namespace ljmd {
 

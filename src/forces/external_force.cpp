@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "core/text.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/forces/few_body_force.hpp"
+#include "forces/few_body_force.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/options/choice.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/forces/pair_force_field.hpp"
+#include "forces/pair_force_field.hpp"
 
 #include <fmt/format.h>
 
@@ -8,15 +8,15 @@
 #include <utility>
 #include <variant>
 
+#include "core/prefetch.hpp"
+#include "core/stopwatch.hpp"
+#include "execution/flush_subnormals.hpp"
+#include "execution/loops.hpp"
+#include "execution/thread_team.hpp"
+#include "forces/evaluation_sum.hpp"
+#include "forces/pair_sum.hpp"
+#include "forces/simd/pair_kernel.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/prefetch.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "ljmd/execution/flush_subnormals.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/forces/evaluation_sum.hpp"
-#include "ljmd/forces/pair_sum.hpp"
-#include "simd/pair_kernel.hpp"
 
 namespace ljmd {
 

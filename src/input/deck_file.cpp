@@ -1,11 +1,11 @@
-#include "ljmd/input/deck_file.hpp"
+#include "input/deck_file.hpp"
 
 #include <fstream>
 #include <string_view>
 #include <utility>
 
-#include "ljmd/input/toml_text.hpp"
-#include "ljmd/io/files/input_file.hpp"
+#include "input/toml_text.hpp"
+#include "io/files/input_file.hpp"
 
 namespace ljmd {
 namespace {

@@ -1,4 +1,4 @@
-#include "ljmd/input/deck_reference.hpp"
+#include "input/deck_reference.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/input/deck_setting.hpp"
+#include "input/deck_setting.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/input/toml_text.hpp"
+#include "core/text.hpp"
+#include "input/toml_text.hpp"
 
 namespace ljmd {
 namespace {

@@ -1,11 +1,11 @@
-#include "ljmd/input/json_schema.hpp"
+#include "input/json_schema.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/options/units.hpp"
+#include "io/tables/json_text.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/input/reduced_number.hpp"
+#include "input/reduced_number.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

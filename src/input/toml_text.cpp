@@ -1,4 +1,4 @@
-#include "ljmd/input/toml_text.hpp"
+#include "input/toml_text.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 namespace {

@@ -1,4 +1,4 @@
-#include "ljmd/integrators/barostat.hpp"
+#include "integrators/barostat.hpp"
 
 #include "ljmd/options/choice.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/integrators/integrator.hpp"
+#include "integrators/integrator.hpp"
 
 #include <fmt/format.h>
 

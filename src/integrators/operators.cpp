@@ -1,10 +1,10 @@
-#include "ljmd/integrators/operators.hpp"
+#include "integrators/operators.hpp"
 
 #include <algorithm>
 
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/time_over_mass.hpp"
+#include "model/time_over_mass.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/integrators/reference_trajectory.hpp"
+#include "integrators/reference_trajectory.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/gsl_errors.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/gsl_errors.hpp"
 
 namespace ljmd {
 

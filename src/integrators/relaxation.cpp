@@ -1,4 +1,4 @@
-#include "ljmd/integrators/relaxation.hpp"
+#include "integrators/relaxation.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 

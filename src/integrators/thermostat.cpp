@@ -1,4 +1,4 @@
-#include "ljmd/integrators/thermostat.hpp"
+#include "integrators/thermostat.hpp"
 
 #include "ljmd/options/choice.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/model/atoms_by_id.hpp"
+#include "model/atoms_by_id.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ljmd/execution/rank_messages.hpp"
+#include "execution/rank_messages.hpp"
 
 namespace ljmd {
 

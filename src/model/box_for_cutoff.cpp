@@ -1,4 +1,4 @@
-#include "ljmd/model/box_for_cutoff.hpp"
+#include "model/box_for_cutoff.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "execution/ranks.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
+#include "model/atoms_by_id.hpp"
 
 namespace ljmd {
 

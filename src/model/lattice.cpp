@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/elementary.hpp"
+#include "core/random.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/random.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/core/elementary.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 namespace ljmd {
 

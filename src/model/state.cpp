@@ -1,4 +1,4 @@
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 #include <span>
 #include <utility>
 
-#include "ljmd/core/archive.hpp"
-#include "ljmd/core/archived_count.hpp"
+#include "core/resize_tightly.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/resize_tightly.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/shared_archive.hpp"
-#include "ljmd/model/time_over_mass.hpp"
+#include "ljmd/detail/core/archive.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "model/shared_archive.hpp"
+#include "model/time_over_mass.hpp"
 
 namespace ljmd {
 

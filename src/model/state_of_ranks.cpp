@@ -2,9 +2,9 @@
 #include <bit>
 #include <utility>
 
+#include "execution/rank_messages.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/rank_messages.hpp"
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 // A state whose atoms are shared among ranks: how atoms pass from one to another.
 

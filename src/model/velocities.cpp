@@ -1,9 +1,9 @@
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 #include <cmath>
 
-#include "ljmd/core/random.hpp"
-#include "ljmd/execution/loops.hpp"
+#include "core/random.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "ljmd/core/elementary.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "execution/loops.hpp"
+#include "execution/rank_messages.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/execution/rank_messages.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 // A grid whose tiles are shared among ranks: who has which tile, and which columns of others are near.
 

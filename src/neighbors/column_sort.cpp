@@ -1,12 +1,12 @@
-#include "ljmd/neighbors/column_sort.hpp"
+#include "neighbors/column_sort.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 
-#include "ljmd/core/resize_tightly.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "core/resize_tightly.hpp"
+#include "execution/loops.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 namespace ljmd {
 

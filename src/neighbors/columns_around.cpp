@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/columns_around.hpp"
+#include "neighbors/columns_around.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "ljmd/neighbors/ghost_routes.hpp"
+#include "neighbors/ghost_routes.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "ljmd/execution/rank_messages.hpp"
+#include "execution/rank_messages.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/neighbors/halo.hpp"
+#include "neighbors/halo.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "ljmd/execution/rank_messages.hpp"
+#include "execution/rank_messages.hpp"
 
 namespace ljmd {
 

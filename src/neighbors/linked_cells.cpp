@@ -1,6 +1,6 @@
-#include "ljmd/neighbors/linked_cells.hpp"
+#include "neighbors/linked_cells.hpp"
 
-#include "ljmd/core/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/missed_pairs.hpp"
+#include "neighbors/missed_pairs.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/columns_around.hpp"
+#include "execution/loops.hpp"
+#include "neighbors/columns_around.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/neighbors/near_pairs.hpp"
+#include "ljmd/detail/neighbors/near_pairs.hpp"
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
+#include "execution/loops.hpp"
+#include "neighbors/pairs_within.hpp"
 
 namespace ljmd {
 

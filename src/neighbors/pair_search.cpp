@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/pair_search.hpp"
+#include "neighbors/pair_search.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/pairs_within.hpp"
+#include "neighbors/pairs_within.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/tile_order.hpp"
+#include "neighbors/tile_order.hpp"
 
 #include <algorithm>
 

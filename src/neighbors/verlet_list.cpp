@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/verlet_list.hpp"
+#include "neighbors/verlet_list.hpp"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <span>
 
-#include "ljmd/core/archived_count.hpp"
+#include "core/resize_tightly.hpp"
+#include "core/stopwatch.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/resize_tightly.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/shared_archive.hpp"
-#include "ljmd/neighbors/missed_pairs.hpp"
-#include "simd/list_kernel.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "model/shared_archive.hpp"
+#include "neighbors/missed_pairs.hpp"
+#include "neighbors/simd/list_kernel.hpp"
 
 namespace ljmd {
 

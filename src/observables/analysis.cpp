@@ -1,4 +1,4 @@
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 #include "ljmd/options/choice.hpp"
 

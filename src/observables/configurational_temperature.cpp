@@ -1,8 +1,8 @@
-#include "ljmd/observables/configurational_temperature.hpp"
+#include "observables/configurational_temperature.hpp"
 
-#include "ljmd/observables/pair_curvature.hpp"
-#include "ljmd/observables/squared_forces.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/pair_curvature.hpp"
+#include "observables/squared_forces.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,12 +1,12 @@
-#include "ljmd/observables/cutoff_correction.hpp"
+#include "observables/cutoff_correction.hpp"
 
 #include <cmath>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/potentials/pair_term.hpp"
+#include "execution/loops.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "neighbors/pairs_within.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

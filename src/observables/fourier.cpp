@@ -1,12 +1,12 @@
-#include "ljmd/observables/fourier.hpp"
+#include "observables/fourier.hpp"
 
 #include <fftw3.h>
 
 #include <mutex>
 
-#include "fourier_lengths.hpp"
+#include "core/memory_at_hand.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/memory_at_hand.hpp"
+#include "observables/fourier_lengths.hpp"
 
 namespace ljmd {
 

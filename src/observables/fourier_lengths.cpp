@@ -1,11 +1,11 @@
-#include "fourier_lengths.hpp"
+#include "observables/fourier_lengths.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/fourier.hpp"
+#include "observables/fourier.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/pair_curvature.hpp"
+#include "observables/pair_curvature.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
-#include "ljmd/potentials/pair_term.hpp"
+#include "execution/loops.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "neighbors/pairs_within.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/pairs_too_near.hpp"
+#include "observables/pairs_too_near.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/model/all_atoms.hpp"
+#include "core/text.hpp"
+#include "model/all_atoms.hpp"
 
 namespace ljmd {
 

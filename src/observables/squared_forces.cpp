@@ -1,6 +1,6 @@
-#include "ljmd/observables/squared_forces.hpp"
+#include "observables/squared_forces.hpp"
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 
 #include <limits>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "execution/loops.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
-#include "ljmd/observables/time_step_error.hpp"
+#include "observables/time_step_error.hpp"
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/squared_forces.hpp"
+#include "execution/loops.hpp"
+#include "observables/squared_forces.hpp"
 
 namespace ljmd {
 

@@ -1,13 +1,13 @@
-#include "ljmd/observables/widom_insertion.hpp"
+#include "observables/widom_insertion.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/potentials/pair_term.hpp"
+#include "execution/loops.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/options/checked_value.hpp"
+#include "options/checked_value.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/options/words_elsewhere.hpp"
+#include "core/text.hpp"
+#include "options/words_elsewhere.hpp"
 
 namespace ljmd {
 namespace {

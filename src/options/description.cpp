@@ -1,4 +1,4 @@
-#include "ljmd/options/description.hpp"
+#include "ljmd/detail/options/description.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <tuple>
 
+#include "core/text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 namespace {

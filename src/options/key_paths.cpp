@@ -1,9 +1,9 @@
-#include "ljmd/options/key_paths.hpp"
+#include "options/key_paths.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 namespace ljmd {
 

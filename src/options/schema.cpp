@@ -1,4 +1,4 @@
-#include "ljmd/options/schema.hpp"
+#include "ljmd/detail/options/schema.hpp"
 
 #include <fmt/format.h>
 

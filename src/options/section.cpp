@@ -1,4 +1,4 @@
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <set>
 #include <tuple>
 
+#include "core/text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/options/checked_value.hpp"
-#include "ljmd/options/key_paths.hpp"
-#include "ljmd/options/words_elsewhere.hpp"
+#include "options/checked_value.hpp"
+#include "options/key_paths.hpp"
+#include "options/words_elsewhere.hpp"
 
 namespace ljmd {
 namespace {

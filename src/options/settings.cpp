@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 namespace ljmd {
 

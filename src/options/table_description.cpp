@@ -1,4 +1,4 @@
-#include "ljmd/options/table_description.hpp"
+#include "ljmd/detail/options/table_description.hpp"
 
 #include <algorithm>
 

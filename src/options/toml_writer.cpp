@@ -1,4 +1,4 @@
-#include "ljmd/options/toml_writer.hpp"
+#include "options/toml_writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

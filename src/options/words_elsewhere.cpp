@@ -1,4 +1,4 @@
-#include "ljmd/options/words_elsewhere.hpp"
+#include "options/words_elsewhere.hpp"
 
 #include <algorithm>
 #include <array>

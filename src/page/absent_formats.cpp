@@ -1,8 +1,8 @@
-#include "../io/files/gzip_input.hpp"
+#include "io/files/gzip_input.hpp"
 
+#include "io/formats/readable_format.hpp"
+#include "io/formats/trajectory_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 
 /// What needs a library that the page does without. A deck may name H5MD, for the run at home.
 

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "engine/verification/digits.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/verification/digits.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "page_run.hpp"
-#include "phase_diagram.hpp"
+#include "page/page_run.hpp"
+#include "page/phase_diagram.hpp"
 
 /// What the page's script calls: one function that takes a request and gives an answer, both JSON, and the places of
 /// what is drawn. An answer is {"value": ...}, or {"error": words, "kind": of the mistake}.

@@ -1,10 +1,10 @@
-#include "ljmd/observables/fourier.hpp"
+#include "observables/fourier.hpp"
 
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "../observables/fourier_lengths.hpp"
+#include "observables/fourier_lengths.hpp"
 
 /// The transforms of fourier.hpp by the kissfft that comes with Eigen, in place of FFTW, which would be a large part of
 /// the page. Their last digits are not those of FFTW.

@@ -1,4 +1,4 @@
-#include "page_run.hpp"
+#include "page/page_run.hpp"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <numbers>
 #include <utility>
 
-#include "ljmd/core/elementary.hpp"
+#include "deck/checked_run.hpp"
+#include "deck/fluid.hpp"
+#include "io/files/input_file.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/checked_run.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/model/checksum.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/run/results.hpp"
+#include "ljmd/detail/core/elementary.hpp"
+#include "model/checksum.hpp"
+#include "model/velocities.hpp"
+#include "run/results.hpp"
 
 namespace ljmd {
 

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/data.hpp"
-#include "ljmd/deck/deck.hpp"
-#include "ljmd/engine/few_body_simulation.hpp"
+#include "deck/deck.hpp"
+#include "engine/few_body_simulation.hpp"
+#include "ljmd/detail/core/data.hpp"
 #include "ljmd/engine/simulation.hpp"
 
 namespace ljmd {

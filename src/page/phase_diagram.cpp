@@ -1,4 +1,4 @@
-#include "phase_diagram.hpp"
+#include "page/phase_diagram.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/core/data.hpp"
+#include "ljmd/detail/core/data.hpp"
 
 namespace ljmd {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "core/quadrature.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/quadrature.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/potentials/pair_table.hpp"
+#include "potentials/pair_table.hpp"
 
 #include <fmt/format.h>
 

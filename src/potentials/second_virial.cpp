@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "ljmd/core/quadrature.hpp"
-#include "ljmd/core/roots.hpp"
+#include "core/quadrature.hpp"
+#include "core/roots.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/potentials/tabulated_pair.hpp"
+#include "potentials/tabulated_pair.hpp"
 
-#include "ljmd/potentials/pair_table.hpp"
+#include "potentials/pair_table.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 #include <numbers>
 

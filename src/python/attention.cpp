@@ -1,4 +1,4 @@
-#include "attention.hpp"
+#include "python/attention.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <optional>
 
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/run_listener.hpp"
-#include "values.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "ljmd/detail/run/run_listener.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "deck_values.hpp"
+#include "python/deck_values.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/toml_writer.hpp"
+#include "options/toml_writer.hpp"
 
 namespace ljmd::python {
 

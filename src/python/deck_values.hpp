@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "ljmd/options/value.hpp"
-#include "values.hpp"
+#include "ljmd/detail/options/value.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "directory_run.hpp"
+#include "python/directory_run.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -6,23 +6,23 @@
 
 #include <utility>
 
-#include "attention.hpp"
-#include "errors.hpp"
-#include "external_force.hpp"
+#include "core/text.hpp"
+#include "deck/checked_run.hpp"
+#include "deck/deck_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/checked_run.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/report/written_report.hpp"
-#include "ljmd/run/directory_report.hpp"
-#include "ljmd/run/given/given_record.hpp"
-#include "ljmd/run/held_run.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/results.hpp"
-#include "ljmd/run/run.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "loaded_deck.hpp"
-#include "observer.hpp"
+#include "python/attention.hpp"
+#include "python/errors.hpp"
+#include "python/external_force.hpp"
+#include "python/loaded_deck.hpp"
+#include "python/observer.hpp"
+#include "report/written_report.hpp"
+#include "run/directory_report.hpp"
+#include "run/given/given_record.hpp"
+#include "run/held_run.hpp"
+#include "run/recorded_run.hpp"
+#include "run/results.hpp"
+#include "run/run.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd::python {
 

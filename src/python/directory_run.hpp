@@ -1,6 +1,6 @@
 #pragma once
 
-#include "values.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

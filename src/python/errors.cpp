@@ -1,11 +1,11 @@
-#include "errors.hpp"
+#include "python/errors.hpp"
 
 #include <exception>
 
+#include "execution/thread_team.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "run/output_guard.hpp"
 
 namespace ljmd::python {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "values.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

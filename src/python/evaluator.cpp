@@ -1,16 +1,16 @@
-#include "evaluator.hpp"
+#include "python/evaluator.hpp"
 
 #include <pybind11/stl.h>
 
 #include <array>
 #include <mutex>
 
+#include "engine/mistakes.hpp"
+#include "execution/threads.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/configuration_evaluator.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/observables/pairs_too_near.hpp"
-#include "pair.hpp"
+#include "observables/pairs_too_near.hpp"
+#include "python/pair.hpp"
 
 namespace ljmd::python {
 

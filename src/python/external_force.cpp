@@ -1,12 +1,12 @@
-#include "external_force.hpp"
+#include "python/external_force.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "during_call.hpp"
 #include "ljmd/core/errors.hpp"
+#include "python/during_call.hpp"
 
 namespace ljmd::python {
 

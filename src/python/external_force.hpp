@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "attention.hpp"
 #include "ljmd/forces/external_force.hpp"
-#include "values.hpp"
+#include "python/attention.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

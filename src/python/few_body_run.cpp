@@ -1,16 +1,16 @@
-#include "few_body_run.hpp"
+#include "python/few_body_run.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "deck/history_columns.hpp"
+#include "engine/few_body_measurement.hpp"
+#include "engine/few_body_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/history_columns.hpp"
-#include "ljmd/engine/few_body_measurement.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/engine/run_outputs.hpp"
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/run/results.hpp"
+#include "ljmd/detail/engine/run_outputs.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
+#include "run/results.hpp"
 
 namespace ljmd::python {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "memory_run.hpp"
+#include "python/memory_run.hpp"
 
 namespace ljmd::python {
 

@@ -1,11 +1,11 @@
-#include "fluid_run.hpp"
+#include "python/fluid_run.hpp"
 
 #include <memory>
 #include <utility>
 
-#include "ljmd/deck/history_columns.hpp"
+#include "deck/history_columns.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/run/results.hpp"
+#include "run/results.hpp"
 
 namespace ljmd::python {
 

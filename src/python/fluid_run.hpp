@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ljmd/deck/fluid.hpp"
+#include "deck/fluid.hpp"
 #include "ljmd/forces/external_force.hpp"
-#include "memory_run.hpp"
+#include "python/memory_run.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "frames.hpp"
+#include "python/frames.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -8,14 +8,14 @@
 #include <mutex>
 #include <utility>
 
-#include "attention.hpp"
-#include "ljmd/analyze/trajectory_analysis.hpp"
+#include "analyze/trajectory_analysis.hpp"
+#include "deck/deck_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/results.hpp"
-#include "loaded_deck.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "python/attention.hpp"
+#include "python/loaded_deck.hpp"
+#include "run/recorded_run.hpp"
+#include "run/results.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "loaded_deck.hpp"
+#include "python/loaded_deck.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -7,15 +7,15 @@
 #include <utility>
 #include <variant>
 
-#include "deck_values.hpp"
+#include "deck/checked_run.hpp"
+#include "deck/deck_schema.hpp"
+#include "deck/deck_system.hpp"
+#include "input/deck_file.hpp"
+#include "input/deck_setting.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/checked_run.hpp"
-#include "ljmd/deck/deck_schema.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/input/deck_file.hpp"
-#include "ljmd/input/deck_setting.hpp"
 #include "ljmd/run/spec_deck.hpp"
-#include "pair.hpp"
+#include "python/deck_values.hpp"
+#include "python/pair.hpp"
 
 namespace ljmd::python {
 

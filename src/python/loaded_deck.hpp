@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/deck/deck.hpp"
-#include "ljmd/options/diagnostics.hpp"
-#include "values.hpp"
+#include "deck/deck.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

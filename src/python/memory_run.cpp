@@ -1,10 +1,10 @@
-#include "memory_run.hpp"
+#include "python/memory_run.hpp"
 
 #include <utility>
 
-#include "few_body_run.hpp"
-#include "fluid_run.hpp"
 #include "ljmd/core/errors.hpp"
+#include "python/few_body_run.hpp"
+#include "python/fluid_run.hpp"
 
 namespace ljmd::python {
 

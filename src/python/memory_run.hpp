@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/document.hpp"
-#include "ljmd/deck/checked_run.hpp"
-#include "ljmd/deck/deck.hpp"
+#include "core/document.hpp"
+#include "deck/checked_run.hpp"
+#include "deck/deck.hpp"
+#include "ljmd/detail/model/state.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/forces/external_force.hpp"
-#include "ljmd/model/state.hpp"
-#include "ljmd/observables/analysis.hpp"
 
 namespace ljmd::python {
 

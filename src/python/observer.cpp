@@ -1,12 +1,12 @@
-#include "observer.hpp"
+#include "python/observer.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-#include "during_call.hpp"
 #include "ljmd/core/errors.hpp"
+#include "python/during_call.hpp"
 
 namespace ljmd::python {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "attention.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
-#include "values.hpp"
+#include "python/attention.hpp"
+#include "python/values.hpp"
 
 namespace ljmd::python {
 

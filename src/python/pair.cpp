@@ -1,4 +1,4 @@
-#include "pair.hpp"
+#include "python/pair.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/potentials/pair_table.hpp"
 #include "ljmd/potentials/second_virial.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "potentials/pair_table.hpp"
+#include "run/recorded_run.hpp"
 
 namespace ljmd::python {
 

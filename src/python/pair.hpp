@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/run/given/given_record.hpp"
-#include "values.hpp"
+#include "python/values.hpp"
+#include "run/given/given_record.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "simulation.hpp"
+#include "python/simulation.hpp"
 
 #include <pybind11/stl.h>
 
@@ -7,13 +7,13 @@
 #include <chrono>
 #include <utility>
 
-#include "attention.hpp"
-#include "errors.hpp"
-#include "external_force.hpp"
 #include "ljmd/core/errors.hpp"
-#include "loaded_deck.hpp"
-#include "memory_run.hpp"
-#include "observer.hpp"
+#include "python/attention.hpp"
+#include "python/errors.hpp"
+#include "python/external_force.hpp"
+#include "python/loaded_deck.hpp"
+#include "python/memory_run.hpp"
+#include "python/observer.hpp"
 
 namespace ljmd::python {
 

@@ -1,4 +1,4 @@
-#include "values.hpp"
+#include "python/values.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "ljmd/core/data.hpp"
-#include "ljmd/core/document.hpp"
+#include "core/document.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "lock.hpp"
+#include "ljmd/detail/core/data.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "python/lock.hpp"
 
 namespace ljmd::python {
 

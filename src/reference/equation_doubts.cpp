@@ -1,11 +1,11 @@
-#include "ljmd/reference/equation_doubts.hpp"
+#include "reference/equation_doubts.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "ljmd/reference/freezing.hpp"
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/freezing.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 namespace ljmd {
 

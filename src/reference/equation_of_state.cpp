@@ -1,11 +1,11 @@
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 namespace ljmd {
 

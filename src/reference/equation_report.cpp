@@ -1,4 +1,4 @@
-#include "ljmd/reference/equation_report.hpp"
+#include "reference/equation_report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/number_text.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/number_text.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/reference/equation_doubts.hpp"
-#include "near_critical.hpp"
+#include "reference/equation_doubts.hpp"
+#include "reference/near_critical.hpp"
 
 namespace ljmd {
 

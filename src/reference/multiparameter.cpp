@@ -1,4 +1,4 @@
-#include "multiparameter.hpp"
+#include "reference/multiparameter.hpp"
 
 namespace ljmd {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ljmd/core/taylor.hpp"
+#include "ljmd/detail/core/taylor.hpp"
 
 namespace ljmd {
 

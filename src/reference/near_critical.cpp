@@ -1,4 +1,4 @@
-#include "near_critical.hpp"
+#include "reference/near_critical.hpp"
 
 #include <fmt/format.h>
 

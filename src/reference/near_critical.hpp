@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/reference/equation_of_state.hpp"
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/roots.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/roots.hpp"
-#include "near_critical.hpp"
+#include "reference/near_critical.hpp"
 
 namespace ljmd {
 

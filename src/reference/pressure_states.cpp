@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/roots.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/roots.hpp"
-#include "near_critical.hpp"
+#include "reference/near_critical.hpp"
 
 namespace ljmd {
 

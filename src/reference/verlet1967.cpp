@@ -1,4 +1,4 @@
-#include "ljmd/reference/verlet1967.hpp"
+#include "reference/verlet1967.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/report/atom_frames.hpp"
+#include "report/atom_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <unordered_map>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/report/base64.hpp"
-#include "ljmd/report/page_content.hpp"
+#include "report/base64.hpp"
+#include "report/page_content.hpp"
 
 namespace ljmd {
 

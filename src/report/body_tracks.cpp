@@ -1,4 +1,4 @@
-#include "ljmd/report/body_tracks.hpp"
+#include "report/body_tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/report/base64.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "report/base64.hpp"
+#include "report/run_charts.hpp"
 
 namespace ljmd {
 

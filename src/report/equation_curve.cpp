@@ -1,12 +1,12 @@
-#include "ljmd/report/equation_curve.hpp"
+#include "report/equation_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "ljmd/reference/equation_doubts.hpp"
-#include "ljmd/report/run_quantities.hpp"
+#include "reference/equation_doubts.hpp"
+#include "report/run_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/report/lenient_data.hpp"
+#include "report/lenient_data.hpp"
 
-#include "ljmd/io/tables/json_file.hpp"
+#include "io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/report/methods.hpp"
+#include "report/methods.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/report/lenient_data.hpp"
+#include "deck/fluid.hpp"
+#include "report/lenient_data.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "ljmd/report/page.hpp"
-#include "ljmd/report/page_arrays.hpp"
+#include "report/page.hpp"
+#include "report/page_arrays.hpp"
 
 namespace ljmd {
 

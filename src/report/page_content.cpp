@@ -1,11 +1,11 @@
-#include "ljmd/report/page_content.hpp"
+#include "report/page_content.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/report/quantity_names.hpp"
+#include "report/quantity_names.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/report/reference_errors.hpp"
+#include "report/reference_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/reference/equation_doubts.hpp"
+#include "reference/equation_doubts.hpp"
 
 namespace ljmd {
 

@@ -1,16 +1,16 @@
-#include "ljmd/report/report.hpp"
+#include "report/report.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/compare/recorded_comparison.hpp"
+#include "compare/recorded_comparison.hpp"
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/report/pages/few_body_page.hpp"
-#include "ljmd/report/pages/fluid_page.hpp"
-#include "ljmd/report/pages/set_page.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/study/study_report.hpp"
-#include "ljmd/study/sweep_record.hpp"
+#include "report/pages/few_body_page.hpp"
+#include "report/pages/fluid_page.hpp"
+#include "report/pages/set_page.hpp"
+#include "report/pages/study_pages.hpp"
+#include "study/study_report.hpp"
+#include "study/sweep_record.hpp"
 
 namespace ljmd {
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "report/lenient_data.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_charts.hpp"
 
 namespace ljmd {
 

@@ -1,18 +1,18 @@
-#include "ljmd/report/run_facts.hpp"
+#include "report/run_facts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/methods.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/run/continuation.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "report/lenient_data.hpp"
+#include "report/methods.hpp"
+#include "report/quantity_names.hpp"
+#include "run/continuation.hpp"
+#include "run/recorded_run.hpp"
 
 namespace ljmd {
 

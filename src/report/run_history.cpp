@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "ljmd/deck/sampled_steps.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
+#include "deck/sampled_steps.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_charts.hpp"
 
 namespace ljmd {
 

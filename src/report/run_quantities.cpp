@@ -1,4 +1,4 @@
-#include "ljmd/report/run_quantities.hpp"
+#include "report/run_quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -6,18 +6,18 @@
 #include <array>
 #include <cmath>
 
+#include "deck/fluid.hpp"
+#include "engine/film_mistakes.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/engine/requested_temperature.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
-#include "ljmd/reference/equation_doubts.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/reference_errors.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "reference/equation_doubts.hpp"
+#include "report/lenient_data.hpp"
+#include "report/quantity_names.hpp"
+#include "report/reference_errors.hpp"
 
 namespace ljmd {
 

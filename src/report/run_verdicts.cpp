@@ -1,4 +1,4 @@
-#include "ljmd/report/run_verdicts.hpp"
+#include "report/run_verdicts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/engine/result_doubts.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/quantity_names.hpp"
+#include "core/text.hpp"
+#include "engine/result_doubts.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
+#include "report/lenient_data.hpp"
+#include "report/quantity_names.hpp"
 
 namespace ljmd {
 

@@ -1,12 +1,12 @@
-#include "ljmd/report/written_report.hpp"
+#include "report/written_report.hpp"
 
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/report/page.hpp"
-#include "ljmd/report/report.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "report/page.hpp"
+#include "report/report.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

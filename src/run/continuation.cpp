@@ -1,13 +1,13 @@
-#include "ljmd/run/continuation.hpp"
+#include "run/continuation.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "deck/deck_system.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/run/run_record.hpp"
+#include "run/run_record.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/run/directory_report.hpp"
+#include "run/directory_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "deck/deck_system.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/run/continuation.hpp"
-#include "ljmd/run/given/given_record.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run_report.hpp"
+#include "run/continuation.hpp"
+#include "run/given/given_record.hpp"
+#include "run/recorded_run.hpp"
+#include "run/run_report.hpp"
 
 namespace ljmd {
 

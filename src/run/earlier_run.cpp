@@ -1,4 +1,4 @@
-#include "ljmd/run/earlier_run.hpp"
+#include "run/earlier_run.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/files/checkpoint_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/checkpoint_file.hpp"
 
 namespace ljmd {
 

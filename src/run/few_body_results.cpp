@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/results.hpp"
-#include "ljmd/run/run_report.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "run/footnotes.hpp"
+#include "run/results.hpp"
+#include "run/run_report.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/run/footnotes.hpp"
+#include "run/footnotes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

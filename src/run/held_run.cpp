@@ -1,13 +1,13 @@
-#include "ljmd/run/held_run.hpp"
+#include "run/held_run.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "deck/deck_execution.hpp"
+#include "execution/ranks.hpp"
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
 

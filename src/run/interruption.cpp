@@ -1,10 +1,10 @@
-#include "ljmd/run/interruption.hpp"
+#include "ljmd/detail/run/interruption.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "ljmd/io/files/shell_word.hpp"
+#include "io/files/shell_word.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/run/output_guard.hpp"
+#include "run/output_guard.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <fstream>
 #include <utility>
 
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
 

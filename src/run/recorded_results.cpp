@@ -1,12 +1,12 @@
-#include "ljmd/run/recorded_results.hpp"
+#include "run/recorded_results.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
-#include "ljmd/deck/deck_schema.hpp"
+#include "deck/deck_schema.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/engine/stage.hpp"
-#include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,20 +1,20 @@
-#include "ljmd/run/recorded_run.hpp"
+#include "run/recorded_run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "core/text.hpp"
+#include "deck/deck_system.hpp"
+#include "deck/fluid.hpp"
+#include "execution/threads.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/run/given/given_record.hpp"
+#include "run/given/given_record.hpp"
 
 namespace ljmd {
 

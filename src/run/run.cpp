@@ -1,13 +1,13 @@
-#include "ljmd/run/run.hpp"
+#include "run/run.hpp"
 
+#include "deck/fluid.hpp"
+#include "engine/fluid_measurement.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/fluid_measurement.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
-#include "ljmd/run/outputs/directory_outputs.hpp"
-#include "ljmd/run/outputs/shared_outputs.hpp"
-#include "ljmd/run/results.hpp"
-#include "ljmd/run/run_lock.hpp"
+#include "model/atoms_by_id.hpp"
+#include "run/outputs/directory_outputs.hpp"
+#include "run/outputs/shared_outputs.hpp"
+#include "run/results.hpp"
+#include "run/run_lock.hpp"
 
 namespace ljmd {
 

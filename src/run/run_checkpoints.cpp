@@ -1,9 +1,9 @@
-#include "ljmd/run/run_checkpoints.hpp"
+#include "run/run_checkpoints.hpp"
 
 #include <utility>
 
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/run/run_record.hpp"
+#include "run/run_record.hpp"
 
 namespace ljmd {
 

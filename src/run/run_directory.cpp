@@ -1,26 +1,26 @@
-#include "ljmd/run/run_directory.hpp"
+#include "run/run_directory.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "deck/deck_system.hpp"
+#include "deck/history_columns.hpp"
+#include "forces/atom_energies.hpp"
+#include "io/files/checkpoint_file.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/deck/history_columns.hpp"
-#include "ljmd/forces/atom_energies.hpp"
-#include "ljmd/io/files/checkpoint_file.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
-#include "ljmd/run/given/given_record.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/results.hpp"
+#include "model/atoms_by_id.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
+#include "run/given/given_record.hpp"
+#include "run/output_guard.hpp"
+#include "run/results.hpp"
 
 namespace ljmd {
 

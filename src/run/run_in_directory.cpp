@@ -6,15 +6,15 @@
 #include <utility>
 #include <variant>
 
+#include "deck/deck_system.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/run/given/given_record.hpp"
-#include "ljmd/run/held_run.hpp"
-#include "ljmd/run/run.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/run/run_lock.hpp"
-#include "ljmd/run/spec_plan.hpp"
+#include "run/given/given_record.hpp"
+#include "run/held_run.hpp"
+#include "run/run.hpp"
+#include "run/run_directory.hpp"
+#include "run/run_lock.hpp"
+#include "run/spec_plan.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/run/run_lock.hpp"
+#include "run/run_lock.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/run/run_record.hpp"
+#include "run/run_record.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -10,16 +10,16 @@
 #include <chrono>
 #include <utility>
 
+#include "deck/deck_system.hpp"
+#include "execution/ranks.hpp"
+#include "integrators/integrator.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/tables/json_text.hpp"
+#include "io/tables/pair_table_file.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/execution/ranks.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/io/tables/pair_table_file.hpp"
-#include "ljmd/run/given/given_record.hpp"
+#include "run/given/given_record.hpp"
 
 namespace ljmd {
 

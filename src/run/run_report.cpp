@@ -1,12 +1,12 @@
-#include "ljmd/run/run_report.hpp"
+#include "run/run_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "core/text.hpp"
+#include "integrators/integrator.hpp"
 
 namespace ljmd {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/run/spec_plan.hpp"
+#include "run/spec_plan.hpp"
 
 namespace ljmd {
 

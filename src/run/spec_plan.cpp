@@ -1,16 +1,16 @@
-#include "ljmd/run/spec_plan.hpp"
+#include "run/spec_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
+#include "core/text.hpp"
+#include "deck/deck_schema.hpp"
+#include "deck/deck_sense.hpp"
+#include "deck/fluid.hpp"
+#include "deck/tables/fluid_tables.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/deck_schema.hpp"
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/tables/fluid_tables.hpp"
-#include "ljmd/options/toml_writer.hpp"
+#include "options/toml_writer.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/child_run.hpp"
+#include "study/child_run.hpp"
 
 #include <fmt/format.h>
 
@@ -11,13 +11,13 @@
 #include <string_view>
 #include <thread>
 
+#include "core/text.hpp"
+#include "io/files/checkpoint_file.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/checkpoint_file.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "run/recorded_run.hpp"
 
 namespace ljmd {
 

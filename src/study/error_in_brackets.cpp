@@ -1,11 +1,11 @@
-#include "ljmd/study/error_in_brackets.hpp"
+#include "study/error_in_brackets.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/number_text.hpp"
+#include "core/number_text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/job_pool.hpp"
+#include "study/job_pool.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <csignal>
 #include <thread>
 
+#include "io/files/process.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/process.hpp"
 
 namespace ljmd {
 

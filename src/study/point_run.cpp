@@ -1,8 +1,8 @@
-#include "ljmd/study/point_run.hpp"
+#include "study/point_run.hpp"
 
 #include <utility>
 
-#include "ljmd/run/recorded_results.hpp"
+#include "run/recorded_results.hpp"
 
 namespace ljmd {
 

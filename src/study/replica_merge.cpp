@@ -1,5 +1,5 @@
-#include "ljmd/study/replica_merge.hpp"
-#include "ljmd/core/gsl_errors.hpp"
+#include "study/replica_merge.hpp"
+#include "core/gsl_errors.hpp"
 
 #include <gsl/gsl_cdf.h>
 

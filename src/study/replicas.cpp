@@ -1,4 +1,4 @@
-#include "ljmd/study/replicas.hpp"
+#include "study/replicas.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,19 +12,19 @@
 #include <map>
 #include <utility>
 
+#include "core/text.hpp"
+#include "deck/fluid.hpp"
+#include "input/deck_setting.hpp"
+#include "integrators/thermostat.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/input/deck_setting.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/run/results.hpp"
-#include "ljmd/run/run_report.hpp"
-#include "ljmd/study/replica_merge.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "run/results.hpp"
+#include "run/run_report.hpp"
+#include "study/replica_merge.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/reproduction.hpp"
+#include "study/reproduction.hpp"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "deck/deck.hpp"
+#include "engine/at_temperature.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck.hpp"
-#include "ljmd/engine/at_temperature.hpp"
+#include "ljmd/detail/potentials/formulas/lennard_jones.hpp"
 #include "ljmd/engine/choices.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/potentials/formulas/lennard_jones.hpp"
-#include "ljmd/run/recorded_results.hpp"
 #include "ljmd/run/spec_deck.hpp"
+#include "run/recorded_results.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/reproduction_report.hpp"
+#include "study/reproduction_report.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/csv_text.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/study/error_in_brackets.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "io/tables/csv_text.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "study/error_in_brackets.hpp"
 
 namespace ljmd {
 

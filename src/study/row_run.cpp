@@ -1,15 +1,15 @@
-#include "ljmd/study/row_run.hpp"
+#include "study/row_run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/tables/json_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/run_lines.hpp"
+#include "study/run_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <thread>
 #include <utility>
 
+#include "execution/threads.hpp"
+#include "io/files/claimed_file.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/program_module.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/program_module.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/slurm_array.hpp"
+#include "study/slurm_array.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,16 +13,16 @@
 #include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/open_directory.hpp"
+#include "io/files/process.hpp"
+#include "io/files/program_module.hpp"
+#include "io/files/scratch_directory.hpp"
+#include "io/files/shell_word.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/open_directory.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/program_module.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "run/output_guard.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/study_report.hpp"
+#include "study/study_report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "io/files/claimed_file.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/shell_word.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/run/continuation.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/study/child_run.hpp"
-#include "ljmd/study/sweep_record.hpp"
+#include "run/continuation.hpp"
+#include "run/recorded_run.hpp"
+#include "study/child_run.hpp"
+#include "study/sweep_record.hpp"
 
 namespace ljmd {
 

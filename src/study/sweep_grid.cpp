@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "study/sweep_points.hpp"
 
 namespace ljmd {
 

@@ -2,10 +2,10 @@
 
 #include <map>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/text_file.hpp"
-#include "ljmd/io/tables/csv_text.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "core/text.hpp"
+#include "io/files/text_file.hpp"
+#include "io/tables/csv_text.hpp"
+#include "study/sweep_points.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_points.hpp"
+#include "study/sweep_points.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
+#include "core/text.hpp"
+#include "input/deck_setting.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/input/deck_setting.hpp"
 
 namespace ljmd {
 

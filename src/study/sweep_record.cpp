@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_record.hpp"
+#include "study/sweep_record.hpp"
 
 #include <fmt/format.h>
 
@@ -7,16 +7,16 @@
 #include <optional>
 #include <set>
 
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/tables/json_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/study/replicas.hpp"
+#include "run/output_guard.hpp"
+#include "run/recorded_run.hpp"
+#include "run/run_directory.hpp"
+#include "study/replicas.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_report.hpp"
+#include "study/sweep_report.hpp"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <tuple>
 #include <utility>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/csv_text.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/footnotes.hpp"
-#include "ljmd/study/error_in_brackets.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "io/tables/csv_text.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/footnotes.hpp"
+#include "study/error_in_brackets.hpp"
+#include "study/sweep_points.hpp"
 
 namespace ljmd {
 

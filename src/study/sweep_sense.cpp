@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_sense.hpp"
+#include "study/sweep_sense.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,9 +6,9 @@
 #include <cctype>
 #include <map>
 
+#include "deck/deck_system.hpp"
+#include "deck/start_sense.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/deck/start_sense.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/work_share.hpp"
+#include "study/work_share.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/analyze/evaluated_frame.hpp"
+#include "analyze/evaluated_frame.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

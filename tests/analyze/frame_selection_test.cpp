@@ -1,4 +1,4 @@
-#include "ljmd/analyze/frame_selection.hpp"
+#include "analyze/frame_selection.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "ljmd/analyze/thermo_report.hpp"
+#include "analyze/thermo_report.hpp"
 
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

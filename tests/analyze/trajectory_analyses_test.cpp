@@ -1,4 +1,4 @@
-#include "ljmd/analyze/trajectory_analyses.hpp"
+#include "analyze/trajectory_analyses.hpp"
 
 #include <catch2/catch.hpp>
 

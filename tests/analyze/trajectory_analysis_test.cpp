@@ -1,4 +1,4 @@
-#include "ljmd/analyze/trajectory_analysis.hpp"
+#include "analyze/trajectory_analysis.hpp"
 
 #include <fmt/format.h>
 

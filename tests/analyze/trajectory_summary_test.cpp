@@ -1,4 +1,4 @@
-#include "ljmd/analyze/trajectory_summary.hpp"
+#include "analyze/trajectory_summary.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>

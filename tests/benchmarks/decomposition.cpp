@@ -21,7 +21,7 @@
 #include <string_view>
 
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 namespace {
 

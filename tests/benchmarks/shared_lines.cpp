@@ -26,9 +26,9 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/neighbors/verlet_list.hpp"
+#include "neighbors/verlet_list.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
-#include "ljmd/cli/bench.hpp"
+#include "cli/bench.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/cli/command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/cli/command_line.hpp"
+#include "cli/command_line.hpp"
 
 namespace ljmd::test {
 

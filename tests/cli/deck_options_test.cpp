@@ -1,4 +1,4 @@
-#include "ljmd/cli/deck_options.hpp"
+#include "cli/deck_options.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/cli/example_decks.hpp"
+#include "cli/example_decks.hpp"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
-#include "ljmd/cli/exit_code.hpp"
+#include "cli/exit_code.hpp"
 
 #include <new>
 #include <stdexcept>
 
 #include "deck/deck_fixtures.hpp"
+#include "execution/thread_team.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "run/output_guard.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

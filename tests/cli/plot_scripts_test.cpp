@@ -1,4 +1,4 @@
-#include "ljmd/cli/plot_scripts.hpp"
+#include "cli/plot_scripts.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

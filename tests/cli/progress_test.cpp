@@ -1,4 +1,4 @@
-#include "ljmd/cli/progress.hpp"
+#include "cli/progress.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

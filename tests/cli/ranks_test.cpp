@@ -1,4 +1,4 @@
-#include "ljmd/cli/ranks.hpp"
+#include "cli/ranks.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/cli/shown_run.hpp"
+#include "cli/shown_run.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

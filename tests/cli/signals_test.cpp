@@ -1,4 +1,4 @@
-#include "ljmd/cli/signals.hpp"
+#include "cli/signals.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "ljmd/compare/agreement.hpp"
+#include "compare/agreement.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "ljmd/compare/compare_gsl.hpp"
+#include "compare/compare_gsl.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

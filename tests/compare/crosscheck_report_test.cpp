@@ -1,9 +1,9 @@
-#include "ljmd/compare/crosscheck_report.hpp"
+#include "compare/crosscheck_report.hpp"
 
 #include <limits>
 
 #include "io/output_fixtures.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,9 +1,9 @@
-#include "ljmd/compare/crosscheck.hpp"
+#include "compare/crosscheck.hpp"
 
 #include <algorithm>
 
+#include "compare/openmm.hpp"
 #include "compare/peers.hpp"
-#include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
 #include "run/run_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/ensemble_comparison.hpp"
+#include "compare/ensemble_comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

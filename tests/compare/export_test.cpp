@@ -1,17 +1,17 @@
-#include "ljmd/compare/export.hpp"
+#include "compare/export.hpp"
 
 #include <fstream>
 #include <optional>
 
+#include "compare/fluid.hpp"
+#include "compare/lammps_input.hpp"
+#include "compare/openmm.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/compare/fluid.hpp"
-#include "ljmd/compare/lammps_input.hpp"
-#include "ljmd/compare/openmm.hpp"
+#include "deck/fluid.hpp"
+#include "engine/fluid_system.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "io/formats/trajectory_reader.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/formats/trajectory_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

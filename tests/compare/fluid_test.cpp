@@ -1,8 +1,8 @@
-#include "ljmd/compare/fluid.hpp"
+#include "compare/fluid.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 

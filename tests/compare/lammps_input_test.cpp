@@ -1,13 +1,13 @@
-#include "ljmd/compare/lammps_input.hpp"
+#include "compare/lammps_input.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "compare/small_fluid.hpp"
 #include "forces/every_potential.hpp"
+#include "io/formats/configuration_reader.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -3,14 +3,14 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "compare/lammps.hpp"
 #include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
 #include "core/environment_guard.hpp"
+#include "execution/thread_team.hpp"
 #include "io/output_fixtures.hpp"
-#include "ljmd/compare/lammps.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/thread_team.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/compare/peer.hpp"
-#include "ljmd/compare/point_comparison.hpp"
-#include "ljmd/compare/trajectory_comparison.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "compare/peer.hpp"
+#include "compare/point_comparison.hpp"
+#include "compare/trajectory_comparison.hpp"
+#include "forces/pair_force_field.hpp"
+#include "model/velocities.hpp"
 #include "physics/liquid.hpp"
 
 namespace ljmd::test {

@@ -1,12 +1,12 @@
-#include "ljmd/compare/openmm.hpp"
+#include "compare/openmm.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "compare/openmm_expression.hpp"
 #include "compare/openmm_module.hpp"
 #include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
-#include "ljmd/compare/openmm_expression.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;

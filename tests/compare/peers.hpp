@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "ljmd/compare/openmm.hpp"
-#include "ljmd/io/files/process.hpp"
+#include "compare/openmm.hpp"
+#include "io/files/process.hpp"
 
 namespace ljmd::test {
 

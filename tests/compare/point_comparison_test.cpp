@@ -1,11 +1,11 @@
-#include "ljmd/compare/point_comparison.hpp"
+#include "compare/point_comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
 #include "compare/small_fluid.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "forces/pair_force_field.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/compare/recorded_comparison.hpp"
+#include "compare/recorded_comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

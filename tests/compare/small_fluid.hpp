@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/compare/fluid.hpp"
+#include "compare/fluid.hpp"
 #include "potentials/made_potential.hpp"
 
 namespace ljmd::test {

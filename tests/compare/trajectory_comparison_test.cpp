@@ -1,11 +1,11 @@
-#include "ljmd/compare/trajectory_comparison.hpp"
+#include "compare/trajectory_comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "compare/made_peer.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
+#include "forces/pair_force_field.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/core/aligned_vector.hpp"
+#include "ljmd/detail/core/aligned_vector.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdint>

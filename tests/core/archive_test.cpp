@@ -1,12 +1,12 @@
-#include "ljmd/core/archive.hpp"
+#include "ljmd/detail/core/archive.hpp"
 
 #include <Eigen/Core>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/core/aligned_vector.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,4 +1,4 @@
-#include "ljmd/core/data.hpp"
+#include "ljmd/detail/core/data.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

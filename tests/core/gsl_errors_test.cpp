@@ -1,13 +1,13 @@
-#include "ljmd/core/gsl_errors.hpp"
+#include "core/gsl_errors.hpp"
 
 #include <gsl/gsl_errno.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/quadrature.hpp"
+#include "core/roots.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/quadrature.hpp"
-#include "ljmd/core/roots.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/core/number_text.hpp"
+#include "core/number_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

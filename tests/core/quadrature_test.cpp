@@ -1,4 +1,4 @@
-#include "ljmd/core/quadrature.hpp"
+#include "core/quadrature.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

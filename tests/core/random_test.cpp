@@ -1,4 +1,4 @@
-#include "ljmd/core/random.hpp"
+#include "core/random.hpp"
 
 #include <gsl/gsl_cdf.h>
 

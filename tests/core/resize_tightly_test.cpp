@@ -1,4 +1,4 @@
-#include "ljmd/core/resize_tightly.hpp"
+#include "core/resize_tightly.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

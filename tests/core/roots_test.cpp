@@ -1,4 +1,4 @@
-#include "ljmd/core/roots.hpp"
+#include "core/roots.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/core/schedule.hpp"
+#include "core/schedule.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ljmd/core/taylor.hpp"
+#include "ljmd/detail/core/taylor.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

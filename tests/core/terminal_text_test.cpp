@@ -1,4 +1,4 @@
-#include "ljmd/core/terminal_text.hpp"
+#include "core/terminal_text.hpp"
 
 #include <catch2/catch.hpp>
 

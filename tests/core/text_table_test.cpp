@@ -1,4 +1,4 @@
-#include "ljmd/core/text_table.hpp"
+#include "core/text_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

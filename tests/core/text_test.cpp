@@ -1,4 +1,4 @@
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

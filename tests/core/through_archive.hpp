@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/core/archive.hpp"
+#include "ljmd/detail/core/archive.hpp"
 
 namespace ljmd::test {
 

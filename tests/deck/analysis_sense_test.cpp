@@ -1,4 +1,4 @@
-#include "ljmd/deck/analysis_sense.hpp"
+#include "deck/analysis_sense.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

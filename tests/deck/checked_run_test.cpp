@@ -1,4 +1,4 @@
-#include "ljmd/deck/checked_run.hpp"
+#include "deck/checked_run.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck_execution.hpp"
+#include "deck/deck_execution.hpp"
 
 #include "core/environment_guard.hpp"
 #include "deck/deck_fixtures.hpp"

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
+#include "deck/deck.hpp"
+#include "deck/deck_execution.hpp"
+#include "deck/fluid.hpp"
 #include "deck/sample_decks.hpp"
 #include "io/output_fixtures.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/deck.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/fluid.hpp"
 
 namespace ljmd::test {
 

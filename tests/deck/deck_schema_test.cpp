@@ -3,12 +3,12 @@
 #include <map>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/options/registry.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/options/registry.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
+#include "neighbors/pair_search.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

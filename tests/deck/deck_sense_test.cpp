@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck_sense.hpp"
+#include "deck/deck_sense.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/deck_stages.hpp"
+#include "deck/deck_stages.hpp"
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/deck/deck_schema.hpp"
-#include "ljmd/input/deck_file.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "deck/deck_schema.hpp"
+#include "input/deck_file.hpp"
+#include "integrators/integrator.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

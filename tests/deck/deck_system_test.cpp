@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck_system.hpp"
+#include "deck/deck_system.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck.hpp"
+#include "deck/deck.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/effect_sense.hpp"
+#include "deck/effect_sense.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 namespace ljmd::test {
 

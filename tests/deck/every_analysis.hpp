@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd::test {
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/few_body_check.hpp"
+#include "deck/few_body_check.hpp"
 
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/run.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "engine/few_body_system.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/run.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/deck/few_body_sense.hpp"
+#include "deck/few_body_sense.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "deck/errors_in.hpp"

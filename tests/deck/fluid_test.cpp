@@ -1,12 +1,12 @@
-#include "ljmd/deck/fluid.hpp"
+#include "deck/fluid.hpp"
 
 #include <cmath>
 
 #include "deck/deck_fixtures.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

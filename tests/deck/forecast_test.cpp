@@ -1,4 +1,4 @@
-#include "ljmd/deck/forecast.hpp"
+#include "deck/forecast.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/history_columns.hpp"
+#include "deck/history_columns.hpp"
 
 #include <algorithm>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/engine/few_body_system.hpp"
+#include "engine/few_body_system.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

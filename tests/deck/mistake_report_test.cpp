@@ -1,4 +1,4 @@
-#include "ljmd/deck/mistake_report.hpp"
+#include "deck/mistake_report.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

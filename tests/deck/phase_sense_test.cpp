@@ -1,8 +1,8 @@
-#include "ljmd/deck/phase_sense.hpp"
+#include "deck/phase_sense.hpp"
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/deck/start_sense.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "deck/start_sense.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

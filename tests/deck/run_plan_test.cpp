@@ -1,4 +1,4 @@
-#include "ljmd/deck/run_plan.hpp"
+#include "deck/run_plan.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/deck/sampled_steps.hpp"
+#include "deck/sampled_steps.hpp"
 
 #include <catch2/catch.hpp>
 

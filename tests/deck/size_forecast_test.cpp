@@ -1,4 +1,4 @@
-#include "ljmd/deck/size_forecast.hpp"
+#include "deck/size_forecast.hpp"
 
 #include "deck/every_analysis.hpp"
 #include "run/run_fixtures.hpp"

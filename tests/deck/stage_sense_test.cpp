@@ -1,5 +1,5 @@
-#include "ljmd/deck/stage_sense.hpp"
-#include "ljmd/integrators/thermostat.hpp"
+#include "deck/stage_sense.hpp"
+#include "integrators/thermostat.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,9 +1,9 @@
-#include "ljmd/deck/start_sense.hpp"
+#include "deck/start_sense.hpp"
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "integrators/thermostat.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/domain/ghost_exchange.hpp"
+#include "domain/ghost_exchange.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -6,7 +6,7 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
+#include "neighbors/pair_search.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

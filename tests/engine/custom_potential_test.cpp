@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "engine/engine_fixtures.hpp"
+#include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
-#include "ljmd/potentials/pair_table.hpp"
+#include "neighbors/pair_search.hpp"
+#include "potentials/pair_table.hpp"
 #include "potentials/twelve_six.hpp"
 
 using namespace ljmd;

@@ -1,14 +1,14 @@
 // A stage that begins at a given total energy.
-#include "ljmd/engine/energy_start.hpp"
+#include "ljmd/detail/engine/energy_start.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "engine/engine_fixtures.hpp"
+#include "engine/mistakes.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/engine/requested_temperature.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

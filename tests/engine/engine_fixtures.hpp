@@ -5,7 +5,7 @@
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 namespace ljmd::test {
 

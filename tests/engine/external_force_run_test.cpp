@@ -4,13 +4,13 @@
 #include <stdexcept>
 
 #include "engine/engine_fixtures.hpp"
+#include "engine/fluid_system.hpp"
+#include "engine/mistakes.hpp"
 #include "execution/test_execution.hpp"
 #include "forces/made_external_force.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/fluid_system.hpp"
-#include "ljmd/engine/mistakes.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

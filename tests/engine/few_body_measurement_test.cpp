@@ -1,13 +1,13 @@
-#include "ljmd/run/run.hpp"
+#include "run/run.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/few_body_system.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,7 +1,7 @@
-#include "ljmd/engine/few_body_simulation.hpp"
+#include "engine/few_body_simulation.hpp"
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,8 +1,8 @@
-#include "ljmd/engine/few_body_spec.hpp"
+#include "engine/few_body_spec.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/options/placed.hpp"
+#include "options/placed.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/film_mistakes.hpp"
+#include "engine/film_mistakes.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/fluid_measurement.hpp"
+#include "engine/fluid_measurement.hpp"
 
 #include <catch2/catch.hpp>
 

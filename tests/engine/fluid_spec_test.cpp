@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "core/text.hpp"
 #include "engine/engine_fixtures.hpp"
-#include "ljmd/core/text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,10 +1,10 @@
-#include "ljmd/engine/fluid_system.hpp"
+#include "engine/fluid_system.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/engine/mistakes.hpp"
+#include "engine/mistakes.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "engine/engine_fixtures.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/engine/phase_seconds.hpp"
+#include "ljmd/detail/engine/phase_seconds.hpp"
 
 #include <catch2/catch.hpp>
 

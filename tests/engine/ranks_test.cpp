@@ -11,9 +11,9 @@
 #include "execution/rank_team.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/model/checksum.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "model/checksum.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 using namespace ljmd;
 

@@ -1,10 +1,10 @@
-#include "ljmd/engine/requested_temperature.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "ljmd/engine/at_temperature.hpp"
+#include "engine/at_temperature.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

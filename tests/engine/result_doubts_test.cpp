@@ -1,4 +1,4 @@
-#include "ljmd/engine/result_doubts.hpp"
+#include "engine/result_doubts.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

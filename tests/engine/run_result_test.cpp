@@ -4,7 +4,7 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

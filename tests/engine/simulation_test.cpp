@@ -8,8 +8,8 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/checksum.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "model/checksum.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "engine/engine_fixtures.hpp"
+#include "engine/fluid_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/fluid_system.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/engine/stability.hpp"
+#include "engine/stability.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "execution/loops.hpp"
 #include "execution/test_execution.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/lattice.hpp"
 
 using namespace ljmd;

@@ -1,15 +1,15 @@
-#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "deck/deck_fixtures.hpp"
+#include "deck/fluid.hpp"
+#include "engine/few_body_system.hpp"
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

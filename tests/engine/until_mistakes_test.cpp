@@ -1,10 +1,10 @@
-#include "ljmd/engine/until_mistakes.hpp"
+#include "engine/until_mistakes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/run_averages.hpp"
+#include "ljmd/detail/observables/statistics/run_averages.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/environment_guard.hpp"
+#include "execution/loops.hpp"
 #include "execution/test_execution.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

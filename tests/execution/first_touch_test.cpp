@@ -1,4 +1,4 @@
-#include "ljmd/execution/first_touch.hpp"
+#include "execution/first_touch.hpp"
 
 #include <sys/mman.h>
 #include <unistd.h>

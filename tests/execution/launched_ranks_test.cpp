@@ -1,4 +1,4 @@
-#include "ljmd/execution/launched_ranks.hpp"
+#include "execution/launched_ranks.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 #include <algorithm>
 #include <atomic>

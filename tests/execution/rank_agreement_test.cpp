@@ -1,4 +1,4 @@
-#include "ljmd/execution/rank_agreement.hpp"
+#include "execution/rank_agreement.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>

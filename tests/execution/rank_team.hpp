@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "execution/ranks.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/execution/ranks.hpp"
 
 namespace ljmd::test {
 

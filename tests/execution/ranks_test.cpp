@@ -1,4 +1,4 @@
-#include "ljmd/execution/ranks.hpp"
+#include "execution/ranks.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "execution/loops.hpp"
 #include "execution/rank_team.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/execution/simd_vector.hpp"
+#include "execution/simd_vector.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "execution/threads.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/execution/threads.hpp"
 
 namespace ljmd::test {
 

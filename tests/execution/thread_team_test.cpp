@@ -1,4 +1,4 @@
-#include "ljmd/execution/thread_team.hpp"
+#include "execution/thread_team.hpp"
 
 #include <pthread.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "ljmd/forces/atom_energies.hpp"
+#include "forces/atom_energies.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ljmd/forces/pair_force_field.hpp"
+#include "forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 
 namespace ljmd::test {

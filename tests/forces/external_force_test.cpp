@@ -5,8 +5,8 @@
 
 #include "forces/evaluated.hpp"
 #include "forces/made_external_force.hpp"
+#include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

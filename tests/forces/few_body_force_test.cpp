@@ -1,4 +1,4 @@
-#include "ljmd/forces/few_body_force.hpp"
+#include "forces/few_body_force.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 
 #include "forces/made_few_body_force.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/forces/force_sum.hpp"
+#include "forces/force_sum.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

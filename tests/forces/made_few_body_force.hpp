@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/forces/few_body_force.hpp"
-#include "ljmd/options/section.hpp"
+#include "forces/few_body_force.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 namespace ljmd::test {
 

@@ -1,4 +1,4 @@
-#include "ljmd/forces/pair_force_field.hpp"
+#include "forces/pair_force_field.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,9 +1,9 @@
-#include "ljmd/forces/pair_sum.hpp"
+#include "forces/pair_sum.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/potentials/pair_term.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
+#include "engine/few_body_system.hpp"
 #include "fuzzed_decks.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
+#include "run/run.hpp"
 
 using namespace ljmd;
 

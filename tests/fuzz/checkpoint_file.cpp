@@ -1,4 +1,4 @@
-#include "ljmd/io/files/checkpoint_file.hpp"
+#include "io/files/checkpoint_file.hpp"
 #include "fuzz_target.hpp"
 
 using namespace ljmd;

@@ -1,6 +1,6 @@
+#include "deck/deck_execution.hpp"
+#include "deck/fluid.hpp"
 #include "fuzzed_decks.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/fluid.hpp"
 #include "resumed_run.hpp"
 
 using namespace ljmd;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "deck/fluid.hpp"
 #include "fuzz_target.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
 #include "ljmd/model/configuration.hpp"
 
 namespace ljmd::fuzz {

@@ -1,8 +1,8 @@
+#include "deck/deck_execution.hpp"
+#include "deck/few_body_check.hpp"
+#include "deck/fluid.hpp"
 #include "deck_promises.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/few_body_check.hpp"
-#include "ljmd/deck/fluid.hpp"
 
 using namespace ljmd;
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "deck/deck.hpp"
 #include "fuzz_target.hpp"
-#include "ljmd/deck/deck.hpp"
 
 namespace ljmd::fuzz {
 

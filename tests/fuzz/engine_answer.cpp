@@ -2,11 +2,11 @@
 #include <array>
 #include <string>
 
+#include "compare/judge/answer_reader.hpp"
+#include "compare/judge/judge.hpp"
 #include "fuzz_target.hpp"
-#include "ljmd/compare/judge/answer_reader.hpp"
-#include "ljmd/compare/judge/judge.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/configuration_reader.hpp"
+#include "io/formats/configuration_reader.hpp"
 #include "trajectory_promises.hpp"
 
 using namespace ljmd;

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "fuzz_target.hpp"
+#include "io/files/text_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/text_file.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include <span>
 
-#include "ljmd/core/archive.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
+#include "ljmd/detail/core/archive.hpp"
 #include "trajectory_promises.hpp"
 #include "two_atoms.hpp"
 

@@ -1,5 +1,5 @@
 #include "configuration_promises.hpp"
-#include "ljmd/io/formats/lammps_data_reader.hpp"
+#include "io/formats/lammps_data_reader.hpp"
 
 using namespace ljmd;
 

@@ -1,5 +1,5 @@
+#include "compare/lammps_output.hpp"
 #include "fuzz_target.hpp"
-#include "ljmd/compare/lammps_output.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;

@@ -1,5 +1,5 @@
 #include "configuration_promises.hpp"
-#include "ljmd/io/formats/nist_format.hpp"
+#include "io/formats/nist_format.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "fuzz_target.hpp"
+#include "io/tables/json_text.hpp"
+#include "io/tables/pair_table_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/io/tables/pair_table_file.hpp"
-#include "ljmd/run/given/given_record.hpp"
+#include "run/given/given_record.hpp"
 
 using namespace ljmd;
 

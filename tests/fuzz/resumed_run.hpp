@@ -7,12 +7,12 @@
 
 #include "fuzz_target.hpp"
 #include "fuzzed_decks.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/files/scratch_directory.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/run/run.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/run.hpp"
+#include "run/run_directory.hpp"
 
 /// Going on from a checkpoint whose checksum is right, whatever it holds. Inputs are the contents of checkpoints.
 namespace ljmd::fuzz {

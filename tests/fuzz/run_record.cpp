@@ -1,6 +1,6 @@
 #include "fuzz_target.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "run/recorded_run.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "fuzz_target.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/study/reproduction.hpp"
-#include "ljmd/study/sweep_report.hpp"
+#include "study/reproduction.hpp"
+#include "study/sweep_report.hpp"
 
 using namespace ljmd;
 

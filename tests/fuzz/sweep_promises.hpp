@@ -3,7 +3,7 @@
 #include <set>
 
 #include "fuzz_target.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "study/sweep_points.hpp"
 
 namespace ljmd::fuzz {
 

@@ -1,7 +1,7 @@
-#include "ljmd/study/sweep_record.hpp"
+#include "study/sweep_record.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/study/study_report.hpp"
+#include "study/study_report.hpp"
 #include "sweep_promises.hpp"
 
 using namespace ljmd;

@@ -1,10 +1,10 @@
+#include "analyze/thermo_report.hpp"
 #include "fuzz_target.hpp"
 #include "fuzzed_decks.hpp"
-#include "ljmd/analyze/thermo_report.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/study/reproduction.hpp"
+#include "run/recorded_run.hpp"
+#include "study/reproduction.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "configuration_promises.hpp"
-#include "ljmd/io/formats/trajectory_reader.hpp"
+#include "io/formats/trajectory_reader.hpp"
 
 namespace ljmd::fuzz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 namespace ljmd::fuzz {
 

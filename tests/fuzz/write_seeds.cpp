@@ -6,12 +6,12 @@
 
 #include <functional>
 
+#include "deck/deck_execution.hpp"
+#include "deck/deck_system.hpp"
 #include "fuzzed_decks.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/run/run.hpp"
+#include "io/formats/trajectory_writer.hpp"
 #include "resumed_run.hpp"
+#include "run/run.hpp"
 #include "two_atoms.hpp"
 
 using namespace ljmd;

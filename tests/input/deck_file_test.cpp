@@ -1,4 +1,4 @@
-#include "ljmd/input/deck_file.hpp"
+#include "input/deck_file.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 #include "io/output_fixtures.hpp"
 #include "io/parsed_deck.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

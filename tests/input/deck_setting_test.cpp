@@ -1,11 +1,11 @@
-#include "ljmd/input/deck_setting.hpp"
+#include "input/deck_setting.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "input/deck_file.hpp"
 #include "io/parsed_deck.hpp"
-#include "ljmd/input/deck_file.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,8 +1,8 @@
-#include "ljmd/input/json_schema.hpp"
+#include "input/json_schema.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/input/reduced_number.hpp"
+#include "input/reduced_number.hpp"
 
 #include <catch2/catch.hpp>
 

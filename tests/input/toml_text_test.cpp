@@ -1,8 +1,8 @@
-#include "ljmd/input/toml_text.hpp"
+#include "input/toml_text.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,10 +1,10 @@
-#include "ljmd/integrators/barostat.hpp"
+#include "integrators/barostat.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 using namespace ljmd;
 

@@ -1,11 +1,11 @@
-#include "ljmd/integrators/integrator.hpp"
+#include "integrators/integrator.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 using namespace ljmd;
 

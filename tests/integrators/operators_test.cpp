@@ -1,4 +1,4 @@
-#include "ljmd/integrators/operators.hpp"
+#include "integrators/operators.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/forces/force_field.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/options/section.hpp"
+#include "integrators/integrator.hpp"
+#include "ljmd/detail/forces/force_field.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 namespace ljmd::test {
 

@@ -1,4 +1,4 @@
-#include "ljmd/integrators/reference_trajectory.hpp"
+#include "integrators/reference_trajectory.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
 

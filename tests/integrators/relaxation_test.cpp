@@ -1,10 +1,10 @@
-#include "ljmd/integrators/relaxation.hpp"
+#include "integrators/relaxation.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

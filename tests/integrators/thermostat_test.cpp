@@ -1,4 +1,4 @@
-#include "ljmd/integrators/thermostat.hpp"
+#include "integrators/thermostat.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@
 #include "execution/test_execution.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 

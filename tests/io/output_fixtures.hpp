@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "ljmd/io/files/scratch_directory.hpp"
+#include "io/files/scratch_directory.hpp"
 
 namespace ljmd::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/input/deck_file.hpp"
+#include "input/deck_file.hpp"
 
 namespace ljmd::test {
 

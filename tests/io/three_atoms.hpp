@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 namespace ljmd::test {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/formats/lammps_dump_writer.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/formats/lammps_dump_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/files/scratch_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
 
 namespace ljmd::test {
 

@@ -5,7 +5,7 @@
     check_digits.py --self-test   check that violations are caught, on made-up trees
 
 Elementary functions of C libraries, and variates of GSL, differ in the last digit from machine to machine (docs/digits.md). The rooms
-that make trajectories call those of include/ljmd/core/elementary.hpp, and no std::fma; the square root is exact, and so are functions
+that make trajectories call those of include/ljmd/detail/core/elementary.hpp, and no std::fma; the square root is exact, and so are functions
 that round to whole numbers or take exponents.
 """
 
@@ -15,7 +15,7 @@ import sys
 import lint
 
 # What moves atoms, and what that is made of.
-ROOMS = re.compile(r"(?:src|include/ljmd)/(?:core/random|core/elementary|model/|potentials/|domain/|neighbors/|forces/|integrators/)")
+ROOMS = re.compile(r"(?:src|include/ljmd(?:/detail)?)/(?:core/random|core/elementary|model/|potentials/|domain/|neighbors/|forces/|integrators/)")
 ALLOWED = {
     "src/potentials/pair_table.cpp": "formulas of the calling program, which computes them as it likes",
     "src/potentials/second_virial.cpp": "a number of the equation of state, which moves no atom",
@@ -32,7 +32,7 @@ def check(root):
         if ROOMS.match(name) and name not in ALLOWED:
             for number, line in enumerate(lint.without_comments(path.read_text(encoding="utf-8")).splitlines(), 1):
                 if found := FUNCTION.search(line):
-                    complaints.append(f"{name}:{number}: {found.group()}: it rounds otherwise on other machines, see ljmd/core/elementary.hpp")
+                    complaints.append(f"{name}:{number}: {found.group()}: it rounds otherwise on other machines, see ljmd/detail/core/elementary.hpp")
     return complaints
 
 

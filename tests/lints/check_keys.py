@@ -19,10 +19,10 @@ import lint
 
 # file -> what it needs sections for
 SECTIONS = {
-    "include/ljmd/options/section.hpp": "the type itself",
+    "include/ljmd/detail/options/section.hpp": "the type itself",
     "src/options/section.cpp": "the type itself",
-    "include/ljmd/options/placed.hpp": "reads sections into structs",
-    "include/ljmd/options/table_description.hpp": "reads sections into structs",
+    "src/options/placed.hpp": "reads sections into structs",
+    "include/ljmd/detail/options/table_description.hpp": "reads sections into structs",
     "src/options/table_description.cpp": "reads sections into structs",
     "src/deck/deck.cpp": "validates a deck before its tables are read",
     "src/deck/mistake_report.cpp": "places of what the engine, which knows no deck, says of its values",
@@ -66,7 +66,7 @@ def check(root):
     return complaints
 
 
-SOUND = """#include "ljmd/options/section.hpp"
+SOUND = """#include "ljmd/detail/options/section.hpp"
 void describe(Description& description) {
     description.number("time", time).above(0.0);  // not section.number("time")
     description.flag("on", on);

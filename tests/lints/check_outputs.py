@@ -4,7 +4,7 @@
     check_outputs.py ROOT          check the tree at ROOT
     check_outputs.py --self-test   check that violations are caught, on made-up trees
 
-In C++ the door is write_output() and NamedOutput (include/ljmd/run/output_guard.hpp), in Python ljmd._output. Whoever else opens a
+In C++ the door is write_output() and NamedOutput (src/run/output_guard.hpp), in Python ljmd._output. Whoever else opens a
 file for writing is named here with the reason why nothing of others can be there.
 """
 
@@ -27,12 +27,12 @@ ALLOWED = {
     "src/run/output_guard.cpp": "the door itself",
     "src/io/files/output_file.cpp": "how the door and runs write",
     "src/io/files/replacement_file.cpp": "how the door and runs replace",
-    "include/ljmd/io/files/replacement_file.hpp": "how the door and runs replace",
+    "src/io/files/replacement_file.hpp": "how the door and runs replace",
     "src/io/files/checkpoint_file.cpp": RUN,
-    "include/ljmd/io/files/output_file.hpp": "declarations",
-    "include/ljmd/io/formats/extended_xyz_writer.hpp": "declarations",
-    "include/ljmd/io/formats/trajectory_writer.hpp": "declarations",
-    "include/ljmd/io/tables/pair_table_file.hpp": "declarations",
+    "src/io/files/output_file.hpp": "declarations",
+    "src/io/formats/extended_xyz_writer.hpp": "declarations",
+    "src/io/formats/trajectory_writer.hpp": "declarations",
+    "src/io/tables/pair_table_file.hpp": "declarations",
     "src/io/formats/extended_xyz_writer.cpp": "write_configuration(), whose callers are named here",
     "src/io/formats/trajectory_writer.cpp": "make_trajectory_writer(), whose callers are named here",
     "src/io/tables/pair_table_file.cpp": "write_pair_table(), whose callers are named here",

@@ -80,7 +80,7 @@ def check_mirror(files):
     complaints = []
     names = {path.as_posix() for path in files}
     for name in sorted(names):
-        match = re.fullmatch(r"src/(.+)\.cpp|include/ljmd/(potentials/formulas/.+)\.hpp", name)
+        match = re.fullmatch(r"src/(.+)\.cpp|include/ljmd/detail/(potentials/formulas/.+)\.hpp", name)
         excused = any(fnmatch(name, pattern) for pattern in WITHOUT_TEST)
         test = match and f"tests/{match[1] or match[2]}_test.cpp"
         if test and not excused and test not in names:
@@ -152,7 +152,7 @@ SOUND = {
 VIOLATIONS = [
     ("src/core/b.cpp", "", "no tests/core/b_test.cpp"),
     ("src/core/deep/b.cpp", "", "no tests/core/deep/b_test.cpp"),
-    ("include/ljmd/potentials/formulas/b.hpp", "", "no tests/potentials/formulas/b_test.cpp"),
+    ("include/ljmd/detail/potentials/formulas/b.hpp", "", "no tests/potentials/formulas/b_test.cpp"),
     ("tests/core/c_test.cpp", 'TEST_CASE("one; two") {}', "test name"),
     ("tests/core/c_test.cpp", 'TEST_CASE("one", "[long]") {}', "[long] is not looked for"),
     ("notes.txt", "", "not a name for the top level"),

@@ -1,4 +1,4 @@
-#include "ljmd/model/atoms_by_id.hpp"
+#include "model/atoms_by_id.hpp"
 
 #include <catch2/catch.hpp>
 #include <mutex>

@@ -1,4 +1,4 @@
-#include "ljmd/model/checksum.hpp"
+#include "model/checksum.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/model/shared_archive.hpp"
+#include "model/shared_archive.hpp"
 
 #include <catch2/catch.hpp>
 #include <mutex>

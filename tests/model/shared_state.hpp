@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "execution/rank_team.hpp"
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 namespace ljmd::test {
 

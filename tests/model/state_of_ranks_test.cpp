@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/core/archive.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "model/shared_state.hpp"
 

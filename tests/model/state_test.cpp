@@ -1,4 +1,4 @@
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,8 +9,8 @@
 #include <random>
 #include <utility>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/core/archive.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/all_pairs.hpp"
+#include "neighbors/all_pairs.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/cell_grid.hpp"
+#include "neighbors/cell_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "domain/ghost_exchange.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/domain/ghost_exchange.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

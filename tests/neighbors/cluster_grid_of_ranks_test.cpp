@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
 #include "model/shared_state.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 using namespace ljmd;
 using test::RankTeam;

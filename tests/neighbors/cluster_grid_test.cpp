@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 #include <algorithm>
 #include <array>

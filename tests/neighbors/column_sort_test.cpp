@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/column_sort.hpp"
+#include "neighbors/column_sort.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

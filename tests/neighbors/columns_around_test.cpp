@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/columns_around.hpp"
+#include "neighbors/columns_around.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ljmd/core/random.hpp"
+#include "core/random.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

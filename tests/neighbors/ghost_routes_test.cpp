@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/ghost_routes.hpp"
+#include "neighbors/ghost_routes.hpp"
 
 #include <catch2/catch.hpp>
 #include <mutex>

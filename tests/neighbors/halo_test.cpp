@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/halo.hpp"
+#include "neighbors/halo.hpp"
 
 #include <catch2/catch.hpp>
 #include <mutex>

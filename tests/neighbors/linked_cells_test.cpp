@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/linked_cells.hpp"
+#include "neighbors/linked_cells.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/missed_pairs.hpp"
+#include "neighbors/missed_pairs.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "ljmd/core/random.hpp"
+#include "core/random.hpp"
 #include "model/shared_state.hpp"
 #include "neighbors/sample_states.hpp"
 

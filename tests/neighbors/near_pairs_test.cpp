@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/near_pairs.hpp"
+#include "ljmd/detail/neighbors/near_pairs.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/pair_search.hpp"
+#include "neighbors/pair_search.hpp"
 
 #include <catch2/catch.hpp>
 

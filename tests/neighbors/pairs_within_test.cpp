@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/pairs_within.hpp"
+#include "neighbors/pairs_within.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

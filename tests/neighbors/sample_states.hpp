@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "execution/test_execution.hpp"
+#include "ljmd/detail/model/state.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/model/state.hpp"
-#include "ljmd/neighbors/all_pairs.hpp"
+#include "neighbors/all_pairs.hpp"
 
 namespace ljmd::test {
 

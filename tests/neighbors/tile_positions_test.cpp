@@ -1,9 +1,9 @@
-#include "ljmd/neighbors/tile_positions.hpp"
+#include "neighbors/tile_positions.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/neighbors/fixed_point.hpp"
+#include "neighbors/fixed_point.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

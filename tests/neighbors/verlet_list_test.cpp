@@ -1,4 +1,4 @@
-#include "ljmd/neighbors/verlet_list.hpp"
+#include "neighbors/verlet_list.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/core/archive.hpp"
+#include "core/random.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/random.hpp"
+#include "ljmd/detail/core/archive.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,10 +6,10 @@
 
 #include "core/through_archive.hpp"
 #include "execution/test_execution.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/neighbors/verlet_list.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
+#include "neighbors/verlet_list.hpp"
 #include "observables/analyses/made_analysis.hpp"
 
 using namespace ljmd;

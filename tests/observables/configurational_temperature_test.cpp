@@ -1,12 +1,12 @@
-#include "ljmd/observables/configurational_temperature.hpp"
+#include "observables/configurational_temperature.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/observables/pair_curvature.hpp"
-#include "ljmd/observables/squared_forces.hpp"
+#include "forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
+#include "observables/pair_curvature.hpp"
+#include "observables/squared_forces.hpp"
 
 using namespace ljmd;
 

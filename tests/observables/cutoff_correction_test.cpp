@@ -1,12 +1,12 @@
-#include "ljmd/observables/cutoff_correction.hpp"
+#include "observables/cutoff_correction.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "forces/pair_force_field.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/fourier.hpp"
+#include "observables/fourier.hpp"
 #include "observables/fourier_lengths.hpp"
 
 using namespace ljmd;

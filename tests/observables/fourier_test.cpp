@@ -1,4 +1,4 @@
-#include "ljmd/observables/fourier.hpp"
+#include "observables/fourier.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

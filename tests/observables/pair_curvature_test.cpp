@@ -1,11 +1,11 @@
-#include "ljmd/observables/pair_curvature.hpp"
+#include "observables/pair_curvature.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
+#include "forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

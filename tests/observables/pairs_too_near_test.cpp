@@ -1,10 +1,10 @@
-#include "ljmd/observables/pairs_too_near.hpp"
+#include "observables/pairs_too_near.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "ljmd/potentials/pair_table.hpp"
 #include "neighbors/sample_states.hpp"
+#include "potentials/pair_table.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

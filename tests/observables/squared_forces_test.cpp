@@ -1,4 +1,4 @@
-#include "ljmd/observables/squared_forces.hpp"
+#include "observables/squared_forces.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "forces/pair_force_field.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/observables/time_step_error.hpp"
+#include "observables/time_step_error.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/widom_insertion.hpp"
+#include "observables/widom_insertion.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/model/velocities.hpp"
 #include "ljmd/potentials/second_virial.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
 

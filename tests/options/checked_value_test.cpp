@@ -1,4 +1,4 @@
-#include "ljmd/options/checked_value.hpp"
+#include "options/checked_value.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 

@@ -1,10 +1,10 @@
-#include "ljmd/options/description.hpp"
+#include "ljmd/detail/options/description.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 

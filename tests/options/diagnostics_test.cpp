@@ -1,4 +1,4 @@
-#include "ljmd/options/diagnostics.hpp"
+#include "ljmd/detail/options/diagnostics.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/options/key_paths.hpp"
+#include "options/key_paths.hpp"
 
 #include <catch2/catch.hpp>
 

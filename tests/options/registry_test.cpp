@@ -1,4 +1,4 @@
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 #include <catch2/catch.hpp>
 

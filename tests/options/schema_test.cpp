@@ -1,9 +1,9 @@
-#include "ljmd/options/schema.hpp"
+#include "ljmd/detail/options/schema.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 

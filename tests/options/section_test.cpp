@@ -1,4 +1,4 @@
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,11 +1,11 @@
-#include "ljmd/options/table_description.hpp"
+#include "ljmd/detail/options/table_description.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/placed.hpp"
-#include "ljmd/options/toml_writer.hpp"
+#include "options/placed.hpp"
+#include "options/toml_writer.hpp"
 
 using namespace ljmd;
 

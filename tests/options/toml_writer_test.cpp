@@ -1,9 +1,9 @@
-#include "ljmd/options/toml_writer.hpp"
+#include "options/toml_writer.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>
 
-#include "ljmd/input/toml_text.hpp"
+#include "input/toml_text.hpp"
 #include "ljmd/options/settings.hpp"
 
 using namespace ljmd;

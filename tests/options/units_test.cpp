@@ -1,4 +1,4 @@
-#include "ljmd/options/units.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

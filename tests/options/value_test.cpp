@@ -1,4 +1,4 @@
-#include "ljmd/options/value.hpp"
+#include "ljmd/detail/options/value.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/options/words_elsewhere.hpp"
+#include "options/words_elsewhere.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -7,17 +7,17 @@
 #include <map>
 
 #include "cli/command_words.hpp"
+#include "compare/lammps.hpp"
+#include "compare/lammps_input.hpp"
 #include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
 #include "deck/deck_fixtures.hpp"
 #include "forces/every_potential.hpp"
-#include "ljmd/compare/lammps.hpp"
-#include "ljmd/compare/lammps_input.hpp"
+#include "io/files/text_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/text_file.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 #include "physics/liquid.hpp"
+#include "run/recorded_run.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -4,11 +4,11 @@
 #include <map>
 #include <tuple>
 
+#include "compare/openmm.hpp"
+#include "compare/point_comparison.hpp"
+#include "compare/trajectory_comparison.hpp"
 #include "forces/every_potential.hpp"
-#include "ljmd/compare/openmm.hpp"
-#include "ljmd/compare/point_comparison.hpp"
-#include "ljmd/compare/trajectory_comparison.hpp"
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "forces/made_external_force.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 
 using namespace ljmd;

@@ -5,12 +5,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/integrators/thermostat.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/second_virial.hpp"
 
 using namespace ljmd;

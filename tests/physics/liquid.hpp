@@ -3,11 +3,11 @@
 #include <string>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "forces/pair_force_field.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/linear_trend.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/linear_trend.hpp"
 
 namespace ljmd::test {
 

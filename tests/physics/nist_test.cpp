@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

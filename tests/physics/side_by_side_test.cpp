@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/observables/structure/order_parameter.hpp"
-#include "ljmd/observables/structure/pair_histogram.hpp"
+#include "observables/structure/order_parameter.hpp"
+#include "observables/structure/pair_histogram.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

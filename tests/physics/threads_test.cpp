@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "ljmd/observables/structure/order_parameter.hpp"
-#include "ljmd/observables/structure/radial_distribution.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "observables/structure/order_parameter.hpp"
+#include "observables/structure/radial_distribution.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

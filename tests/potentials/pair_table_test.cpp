@@ -1,11 +1,11 @@
-#include "ljmd/potentials/pair_table.hpp"
+#include "potentials/pair_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/potentials/formulas/lennard_jones.hpp"
+#include "ljmd/detail/potentials/formulas/lennard_jones.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

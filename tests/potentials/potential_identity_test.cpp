@@ -1,4 +1,4 @@
-#include "ljmd/potentials/potential_identity.hpp"
+#include "potentials/potential_identity.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
-#include "ljmd/potentials/tabulated_pair.hpp"
+#include "potentials/tabulated_pair.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/potentials/pair_table.hpp"
+#include "potentials/pair_table.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,4 +1,4 @@
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

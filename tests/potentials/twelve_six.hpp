@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/potentials/pair_term.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
 
 namespace ljmd::test {
 

@@ -1,4 +1,4 @@
-#include "ljmd/reference/canonical_size.hpp"
+#include "reference/canonical_size.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/reference/equation_doubts.hpp"
+#include "reference/equation_doubts.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 #include "ljmd/potentials/second_virial.hpp"
 
 using namespace ljmd;

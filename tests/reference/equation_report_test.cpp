@@ -1,9 +1,9 @@
-#include "ljmd/reference/equation_report.hpp"
+#include "reference/equation_report.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/reference/equation_doubts.hpp"
+#include "reference/equation_doubts.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

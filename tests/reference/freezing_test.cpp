@@ -1,4 +1,4 @@
-#include "ljmd/reference/freezing.hpp"
+#include "ljmd/detail/reference/freezing.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/report/atom_frames.hpp"
+#include "report/atom_frames.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

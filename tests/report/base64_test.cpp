@@ -1,4 +1,4 @@
-#include "ljmd/report/base64.hpp"
+#include "report/base64.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "ljmd/report/body_tracks.hpp"
+#include "report/body_tracks.hpp"
 
 #include <catch2/catch.hpp>
 

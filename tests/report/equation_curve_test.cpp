@@ -1,9 +1,9 @@
-#include "ljmd/report/equation_curve.hpp"
+#include "report/equation_curve.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 using namespace ljmd;
 

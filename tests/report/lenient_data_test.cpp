@@ -1,4 +1,4 @@
-#include "ljmd/report/lenient_data.hpp"
+#include "report/lenient_data.hpp"
 
 #include "report/report_fixtures.hpp"
 

@@ -1,7 +1,7 @@
-#include "ljmd/report/methods.hpp"
+#include "report/methods.hpp"
 
 #include "deck/sample_decks.hpp"
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/input_file.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;

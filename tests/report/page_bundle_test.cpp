@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/report/page.hpp"
+#include "report/page.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/report/page_content.hpp"
+#include "report/page_content.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

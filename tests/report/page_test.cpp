@@ -1,8 +1,8 @@
-#include "ljmd/report/page.hpp"
+#include "report/page.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

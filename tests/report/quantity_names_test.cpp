@@ -1,4 +1,4 @@
-#include "ljmd/report/quantity_names.hpp"
+#include "report/quantity_names.hpp"
 
 #include <catch2/catch.hpp>
 

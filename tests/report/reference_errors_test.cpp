@@ -1,4 +1,4 @@
-#include "ljmd/report/reference_errors.hpp"
+#include "report/reference_errors.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/report/page_content.hpp"
+#include "report/page_content.hpp"
 #include "run/run_fixtures.hpp"
 
 namespace ljmd::test {

@@ -1,8 +1,8 @@
-#include "ljmd/report/report.hpp"
+#include "report/report.hpp"
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/study/sweep_record.hpp"
 #include "report/report_fixtures.hpp"
+#include "study/sweep_record.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

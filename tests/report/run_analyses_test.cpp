@@ -1,5 +1,5 @@
-#include "ljmd/report/run_charts.hpp"
 #include "report/report_fixtures.hpp"
+#include "report/run_charts.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,7 +1,7 @@
-#include "ljmd/report/run_facts.hpp"
+#include "report/run_facts.hpp"
 
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/input_file.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "report/report_fixtures.hpp"
+#include "report/run_charts.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,9 +1,9 @@
-#include "ljmd/report/run_quantities.hpp"
+#include "report/run_quantities.hpp"
 
 #include <fstream>
 
-#include "ljmd/reference/equation_of_state.hpp"
-#include "ljmd/report/reference_errors.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
+#include "report/reference_errors.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;

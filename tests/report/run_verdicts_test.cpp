@@ -1,4 +1,4 @@
-#include "ljmd/report/run_verdicts.hpp"
+#include "report/run_verdicts.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "ljmd/report/written_report.hpp"
+#include "report/written_report.hpp"
 
-#include "ljmd/report/page.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "report/page.hpp"
 #include "report/report_fixtures.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

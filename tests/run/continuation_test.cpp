@@ -1,4 +1,4 @@
-#include "ljmd/run/continuation.hpp"
+#include "run/continuation.hpp"
 
 #include <fmt/format.h>
 

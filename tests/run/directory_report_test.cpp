@@ -1,9 +1,9 @@
-#include "ljmd/run/directory_report.hpp"
+#include "run/directory_report.hpp"
 
 #include <fmt/format.h>
 
+#include "io/files/checkpoint_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/checkpoint_file.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/results.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/results.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

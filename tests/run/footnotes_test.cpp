@@ -1,4 +1,4 @@
-#include "ljmd/run/footnotes.hpp"
+#include "run/footnotes.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/run/held_run.hpp"
+#include "run/held_run.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "run/run_fixtures.hpp"

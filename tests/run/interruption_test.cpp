@@ -1,4 +1,4 @@
-#include "ljmd/run/interruption.hpp"
+#include "ljmd/detail/run/interruption.hpp"
 
 #include <catch2/catch.hpp>
 

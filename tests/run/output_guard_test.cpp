@@ -1,4 +1,4 @@
-#include "ljmd/run/output_guard.hpp"
+#include "run/output_guard.hpp"
 
 #include <sys/stat.h>
 

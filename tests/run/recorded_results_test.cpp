@@ -1,4 +1,4 @@
-#include "ljmd/run/recorded_results.hpp"
+#include "run/recorded_results.hpp"
 
 #include <fmt/format.h>
 

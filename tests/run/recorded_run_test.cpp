@@ -1,4 +1,4 @@
-#include "ljmd/run/recorded_run.hpp"
+#include "run/recorded_run.hpp"
 
 #include <sys/stat.h>
 
@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "deck/deck_fixtures.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

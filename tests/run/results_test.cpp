@@ -1,4 +1,4 @@
-#include "ljmd/run/results.hpp"
+#include "run/results.hpp"
 
 #include <cmath>
 #include <limits>

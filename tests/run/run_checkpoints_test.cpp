@@ -1,4 +1,4 @@
-#include "ljmd/run/run_checkpoints.hpp"
+#include "run/run_checkpoints.hpp"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <set>
 
 #include "deck/every_analysis.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
+#include "io/formats/trajectory_reader.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/formats/trajectory_reader.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "run/recorded_run.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

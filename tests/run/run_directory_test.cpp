@@ -1,13 +1,13 @@
-#include "ljmd/run/run_directory.hpp"
+#include "run/run_directory.hpp"
 
 #include <map>
 #include <set>
 
 #include "deck/deck_fixtures.hpp"
+#include "engine/few_body_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/few_body_system.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/run/run.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "run/run.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "deck/deck_execution.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/recorded_run.hpp"
+#include "run/run.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd::test {
 

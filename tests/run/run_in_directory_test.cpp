@@ -6,15 +6,15 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "forces/made_external_force.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/model/checksum.hpp"
-#include "ljmd/run/directory_report.hpp"
-#include "ljmd/run/held_run.hpp"
-#include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/spec_deck.hpp"
+#include "model/checksum.hpp"
 #include "potentials/twelve_six.hpp"
+#include "run/directory_report.hpp"
+#include "run/held_run.hpp"
+#include "run/recorded_run.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

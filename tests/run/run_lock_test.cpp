@@ -1,9 +1,9 @@
-#include "ljmd/run/run_lock.hpp"
+#include "run/run_lock.hpp"
 
 #include "deck/deck_fixtures.hpp"
+#include "io/files/replacement_file.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,13 +1,13 @@
-#include "ljmd/run/run_record.hpp"
+#include "run/run_record.hpp"
 
 #include <cmath>
 
 #include "deck/deck_fixtures.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "run/run_directory.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

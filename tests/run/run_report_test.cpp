@@ -1,4 +1,4 @@
-#include "ljmd/run/run_report.hpp"
+#include "run/run_report.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

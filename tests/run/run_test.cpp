@@ -1,14 +1,14 @@
-#include "ljmd/run/run.hpp"
+#include "run/run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "model/velocities.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

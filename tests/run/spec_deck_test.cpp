@@ -5,13 +5,13 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "engine/engine_fixtures.hpp"
+#include "integrators/barostat.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/thermostat.hpp"
+#include "io/formats/trajectory_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/options/placed.hpp"
-#include "ljmd/options/toml_writer.hpp"
+#include "options/placed.hpp"
+#include "options/toml_writer.hpp"
 #include "potentials/made_potential.hpp"
 
 using namespace ljmd;

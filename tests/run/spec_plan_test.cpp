@@ -1,4 +1,4 @@
-#include "ljmd/run/spec_plan.hpp"
+#include "run/spec_plan.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "engine/engine_fixtures.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/study/child_run.hpp"
+#include "study/child_run.hpp"
 
 #include <sys/stat.h>
 
@@ -6,10 +6,10 @@
 #include <fstream>
 #include <optional>
 
+#include "deck/fluid.hpp"
+#include "io/files/claimed_file.hpp"
+#include "io/files/directory_lock.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/study/error_in_brackets.hpp"
+#include "study/error_in_brackets.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,13 +1,13 @@
-#include "ljmd/study/job_pool.hpp"
+#include "study/job_pool.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "io/files/claimed_file.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

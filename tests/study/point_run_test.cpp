@@ -1,8 +1,8 @@
-#include "ljmd/study/point_run.hpp"
+#include "study/point_run.hpp"
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/study/study_report.hpp"
+#include "io/files/input_file.hpp"
 #include "run/run_fixtures.hpp"
+#include "study/study_report.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

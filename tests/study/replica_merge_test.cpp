@@ -1,4 +1,4 @@
-#include "ljmd/study/replica_merge.hpp"
+#include "study/replica_merge.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,15 +1,15 @@
-#include "ljmd/study/replicas.hpp"
+#include "study/replicas.hpp"
 
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <set>
 
+#include "io/files/directory_lock.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/study/replica_merge.hpp"
 #include "run/run_fixtures.hpp"
+#include "study/replica_merge.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/study/reproduction_report.hpp"
+#include "study/reproduction_report.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "ljmd/study/reproduction.hpp"
+#include "study/reproduction.hpp"
 
 #include <fmt/format.h>
 

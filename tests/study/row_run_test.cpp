@@ -1,8 +1,8 @@
-#include "ljmd/study/row_run.hpp"
+#include "study/row_run.hpp"
 
+#include "io/files/claimed_file.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,12 +1,12 @@
-#include "ljmd/study/run_lines.hpp"
+#include "study/run_lines.hpp"
 
 #include <fstream>
 #include <functional>
 #include <optional>
 
+#include "io/files/claimed_file.hpp"
+#include "io/files/directory_lock.hpp"
 #include "io/output_fixtures.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

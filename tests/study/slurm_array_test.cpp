@@ -1,13 +1,13 @@
-#include "ljmd/study/slurm_array.hpp"
+#include "study/slurm_array.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
 
 #include "core/environment_guard.hpp"
+#include "io/files/process.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/process.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

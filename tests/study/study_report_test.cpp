@@ -1,9 +1,9 @@
-#include "ljmd/study/study_report.hpp"
+#include "study/study_report.hpp"
 
+#include "io/files/claimed_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/study/sweep_record.hpp"
 #include "run/run_fixtures.hpp"
+#include "study/sweep_record.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "core/text.hpp"
+#include "study/sweep_points.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

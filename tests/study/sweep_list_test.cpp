@@ -1,6 +1,6 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "study/sweep_points.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

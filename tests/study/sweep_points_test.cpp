@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_points.hpp"
+#include "study/sweep_points.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>

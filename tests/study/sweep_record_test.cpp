@@ -1,8 +1,8 @@
-#include "ljmd/study/sweep_record.hpp"
+#include "study/sweep_record.hpp"
 
+#include "io/files/claimed_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/claimed_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_report.hpp"
+#include "study/sweep_report.hpp"
 
 #include <fmt/format.h>
 

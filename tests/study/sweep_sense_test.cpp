@@ -1,4 +1,4 @@
-#include "ljmd/study/sweep_sense.hpp"
+#include "study/sweep_sense.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/work_share.hpp"
+#include "study/work_share.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>

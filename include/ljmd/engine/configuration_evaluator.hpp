@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "ljmd/detail/neighbors/near_pairs.hpp"
+#include "ljmd/detail/potentials/interaction.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/neighbors/near_pairs.hpp"
-#include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
 

@@ -8,17 +8,17 @@
 #include <variant>
 #include <vector>
 
+#include "ljmd/detail/execution/simd.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/observables/statistics/run_averages.hpp"
+#include "ljmd/detail/options/description.hpp"
+#include "ljmd/detail/options/units.hpp"
+#include "ljmd/detail/potentials/interaction.hpp"
 #include "ljmd/engine/stage.hpp"
-#include "ljmd/execution/simd.hpp"
 #include "ljmd/forces/external_force.hpp"
 #include "ljmd/model/box.hpp"
 #include "ljmd/model/configuration.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/statistics/run_averages.hpp"
-#include "ljmd/options/description.hpp"
-#include "ljmd/options/units.hpp"
-#include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/detail/core/archive.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
 #include "ljmd/engine/snapshot.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
 
 namespace ljmd {
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/archive.hpp"
-#include "ljmd/engine/phase_seconds.hpp"
-#include "ljmd/engine/requested_temperature.hpp"
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/neighbors/search_statistics.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/core/archive.hpp"
+#include "ljmd/detail/engine/phase_seconds.hpp"
+#include "ljmd/detail/engine/requested_temperature.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
+#include "ljmd/detail/neighbors/search_statistics.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 
 namespace ljmd {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/detail/engine/run_outputs.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/engine/observer.hpp"
-#include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/engine/run_result.hpp"
 #include "ljmd/execution/execution.hpp"
 

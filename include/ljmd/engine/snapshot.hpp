@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "ljmd/core/types.hpp"
-#include "ljmd/forces/force_field.hpp"
-#include "ljmd/model/state.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/forces/force_field.hpp"
+#include "ljmd/detail/model/state.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 
 namespace ljmd {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
-#include "ljmd/observables/statistics/wanted_errors.hpp"
+#include "ljmd/detail/observables/statistics/wanted_errors.hpp"
+#include "ljmd/detail/options/table_description.hpp"
 #include "ljmd/options/choice.hpp"
-#include "ljmd/options/table_description.hpp"
 
 namespace ljmd {
 

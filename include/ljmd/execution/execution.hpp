@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 
 namespace ljmd {
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/forces/force_field.hpp"
-#include "ljmd/model/state.hpp"
+#include "ljmd/detail/core/archive.hpp"
+#include "ljmd/detail/forces/force_field.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 namespace ljmd {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/options/description.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/options/description.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "ljmd/detail/options/section.hpp"
 #include "ljmd/options/settings.hpp"
 
 namespace ljmd {

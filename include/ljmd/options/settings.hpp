@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/options/schema.hpp"
-#include "ljmd/options/value.hpp"
+#include "ljmd/detail/options/schema.hpp"
+#include "ljmd/detail/options/value.hpp"
 
 namespace ljmd {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "ljmd/potentials/pair_term.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
 
 namespace ljmd {
 

@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "ljmd/detail/potentials/formula_list.hpp"  // generated: one entry for every header in potentials/formulas/
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "ljmd/detail/potentials/truncation.hpp"
 #include "ljmd/potentials/custom_pair.hpp"
-#include "ljmd/potentials/formula_list.hpp"  // generated: one entry for every header in potentials/formulas/
-#include "ljmd/potentials/pair_term.hpp"
-#include "ljmd/potentials/truncation.hpp"
 
 namespace ljmd {
 

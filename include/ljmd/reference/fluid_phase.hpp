@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/reference/freezing.hpp"
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/freezing.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 namespace ljmd {
 

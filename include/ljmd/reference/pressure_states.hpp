@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ljmd/reference/phase_equilibrium.hpp"
+#include "ljmd/detail/reference/phase_equilibrium.hpp"
 
 namespace ljmd {
 

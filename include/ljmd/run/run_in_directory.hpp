@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "ljmd/deck/run_files.hpp"
+#include "ljmd/detail/deck/run_files.hpp"
+#include "ljmd/detail/run/interruption.hpp"
+#include "ljmd/detail/run/run_listener.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/run_result.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/run/interruption.hpp"
-#include "ljmd/run/run_listener.hpp"
 
 namespace ljmd {
 

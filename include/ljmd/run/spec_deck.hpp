@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ljmd/deck/run_files.hpp"
+#include "ljmd/detail/deck/run_files.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
 namespace ljmd {

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/analyze/thermo_report.hpp"
-#include "ljmd/analyze/trajectory_analysis.hpp"
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "analyze/thermo_report.hpp"
+#include "analyze/trajectory_analysis.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
+#include "deck/deck_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/results.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/output_guard.hpp"
+#include "run/recorded_run.hpp"
+#include "run/results.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

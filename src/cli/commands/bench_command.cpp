@@ -1,7 +1,7 @@
-#include "ljmd/cli/bench.hpp"
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/bench.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
 
 namespace ljmd {
 

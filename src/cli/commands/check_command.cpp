@@ -1,6 +1,6 @@
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
 
 namespace ljmd {
 

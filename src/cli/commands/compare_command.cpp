@@ -3,17 +3,17 @@
 
 #include <algorithm>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/judge/judge_command.hpp"
-#include "ljmd/cli/progress.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/compare/compare_gsl.hpp"
-#include "ljmd/compare/crosscheck_report.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/judge/judge_command.hpp"
+#include "cli/progress.hpp"
+#include "cli/streams.hpp"
+#include "compare/compare_gsl.hpp"
+#include "compare/crosscheck_report.hpp"
+#include "deck/deck_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/pages/completion.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command.hpp"
+#include "cli/pages/completion.hpp"
+#include "cli/streams.hpp"
 
 namespace ljmd {
 

@@ -4,15 +4,15 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
+#include "core/text.hpp"
+#include "input/reduced_number.hpp"
+#include "io/tables/data_list_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/input/reduced_number.hpp"
-#include "ljmd/io/tables/data_list_csv.hpp"
-#include "ljmd/reference/equation_report.hpp"
-#include "ljmd/study/sweep_points.hpp"
+#include "reference/equation_report.hpp"
+#include "study/sweep_points.hpp"
 
 namespace ljmd {
 

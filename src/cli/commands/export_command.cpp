@@ -3,18 +3,18 @@
 
 #include <filesystem>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/compare/export.hpp"
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
+#include "compare/export.hpp"
+#include "deck/deck_sense.hpp"
+#include "deck/deck_system.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/output_guard.hpp"
+#include "run/recorded_run.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "ljmd/cli/command_line.hpp"
-#include "ljmd/cli/pages/man_page.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command_line.hpp"
+#include "cli/pages/man_page.hpp"
+#include "cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

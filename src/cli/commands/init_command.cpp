@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/example_decks.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/example_decks.hpp"
+#include "cli/streams.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "io/files/shell_word.hpp"
+#include "run/output_guard.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/plot_scripts.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/program_module.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/plot_scripts.hpp"
+#include "io/files/process.hpp"
+#include "io/files/program_module.hpp"
 
 namespace ljmd {
 

@@ -6,21 +6,21 @@
 #include <iterator>
 #include <thread>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/compare/recorded_comparison.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "compare/recorded_comparison.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/process.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/report/page.hpp"
-#include "ljmd/report/report.hpp"
-#include "ljmd/report/written_report.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "report/page.hpp"
+#include "report/report.hpp"
+#include "report/written_report.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

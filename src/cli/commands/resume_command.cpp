@@ -4,20 +4,20 @@
 #include <optional>
 #include <variant>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/progress.hpp"
-#include "ljmd/cli/ranks.hpp"
-#include "ljmd/cli/shown_run.hpp"
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/cli/studies/replica_study.hpp"
-#include "ljmd/cli/studies/study_steps.hpp"
-#include "ljmd/deck/deck_system.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/run/held_run.hpp"
-#include "ljmd/run/run.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/progress.hpp"
+#include "cli/ranks.hpp"
+#include "cli/shown_run.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "cli/studies/replica_study.hpp"
+#include "cli/studies/study_steps.hpp"
+#include "deck/deck_system.hpp"
+#include "io/files/directory_lock.hpp"
+#include "io/files/shell_word.hpp"
+#include "run/held_run.hpp"
+#include "run/run.hpp"
 
 namespace ljmd {
 

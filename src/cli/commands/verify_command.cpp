@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/deck_options.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command.hpp"
+#include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
+#include "engine/verification/digits.hpp"
+#include "execution/threads.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/verification/digits.hpp"
-#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 

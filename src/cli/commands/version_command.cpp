@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "ljmd/cli/command.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/command.hpp"
+#include "cli/streams.hpp"
 #include "ljmd/core/build_info.hpp"
 
 namespace ljmd {

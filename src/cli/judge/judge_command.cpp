@@ -1,4 +1,4 @@
-#include "ljmd/cli/judge/judge_command.hpp"
+#include "cli/judge/judge_command.hpp"
 
 #include <fmt/format.h>
 
@@ -9,24 +9,24 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/cli/progress.hpp"
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/compare/judge/answer_reader.hpp"
-#include "ljmd/compare/judge/engine_command.hpp"
-#include "ljmd/compare/judge/engine_speed.hpp"
-#include "ljmd/compare/judge/judge.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
+#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "compare/judge/answer_reader.hpp"
+#include "compare/judge/engine_command.hpp"
+#include "compare/judge/engine_speed.hpp"
+#include "compare/judge/judge.hpp"
+#include "compare/judge/own_run.hpp"
+#include "deck/fluid.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/scratch_directory.hpp"
+#include "io/files/shown_path.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/io/files/shown_path.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/options/units.hpp"
-#include "ljmd/run/output_guard.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/run/run_record.hpp"
+#include "ljmd/detail/options/units.hpp"
+#include "run/output_guard.hpp"
+#include "run/run_directory.hpp"
+#include "run/run_record.hpp"
 
 namespace ljmd {
 

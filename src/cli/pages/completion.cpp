@@ -1,4 +1,4 @@
-#include "ljmd/cli/pages/completion.hpp"
+#include "cli/pages/completion.hpp"
 
 #include <fmt/format.h>
 
@@ -8,17 +8,17 @@
 #include <optional>
 #include <set>
 
-#include "ljmd/cli/example_decks.hpp"
-#include "ljmd/compare/crosscheck.hpp"
-#include "ljmd/compare/export.hpp"
+#include "cli/example_decks.hpp"
+#include "compare/crosscheck.hpp"
+#include "compare/export.hpp"
+#include "core/text.hpp"
+#include "deck/deck_schema.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/deck/deck_schema.hpp"
-#include "ljmd/execution/simd.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/options/key_paths.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/execution/simd.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
+#include "options/key_paths.hpp"
 
 namespace ljmd {
 

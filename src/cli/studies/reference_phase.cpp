@@ -1,15 +1,15 @@
-#include "ljmd/cli/studies/reference_phase.hpp"
+#include "cli/studies/reference_phase.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "ljmd/cli/streams.hpp"
-#include "ljmd/cli/studies/replica_study.hpp"
-#include "ljmd/cli/studies/study_steps.hpp"
-#include "ljmd/run/run_directory.hpp"
-#include "ljmd/study/child_run.hpp"
-#include "ljmd/study/replicas.hpp"
+#include "cli/streams.hpp"
+#include "cli/studies/replica_study.hpp"
+#include "cli/studies/study_steps.hpp"
+#include "run/run_directory.hpp"
+#include "study/child_run.hpp"
+#include "study/replicas.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/cli/studies/replica_study.hpp"
+#include "cli/studies/replica_study.hpp"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/shell_word.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/study/child_run.hpp"
-#include "ljmd/study/replicas.hpp"
-#include "ljmd/study/run_lines.hpp"
+#include "run/recorded_run.hpp"
+#include "study/child_run.hpp"
+#include "study/replicas.hpp"
+#include "study/run_lines.hpp"
 
 namespace ljmd {
 

@@ -1,17 +1,17 @@
-#include "ljmd/cli/studies/study_steps.hpp"
+#include "cli/studies/study_steps.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "ljmd/cli/signals.hpp"
-#include "ljmd/cli/streams.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/shell_word.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/study/study_report.hpp"
-#include "ljmd/study/work_share.hpp"
+#include "study/study_report.hpp"
+#include "study/work_share.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/answer_reader.hpp"
+#include "compare/judge/answer_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,12 +10,12 @@
 #include <functional>
 #include <set>
 
+#include "core/text.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/text_file.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/text_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/engine_command.hpp"
+#include "compare/judge/engine_command.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <chrono>
 #include <fstream>
 
+#include "core/text.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/process.hpp"
+#include "io/files/shell_word.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/shell_word.hpp"
 
 namespace ljmd {
 

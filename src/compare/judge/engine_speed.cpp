@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/engine_speed.hpp"
+#include "compare/judge/engine_speed.hpp"
 
 #include <algorithm>
 #include <array>

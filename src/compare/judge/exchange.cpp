@@ -1,18 +1,18 @@
-#include "ljmd/compare/judge/exchange.hpp"
+#include "compare/judge/exchange.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "ljmd/compare/lammps_input.hpp"
+#include "compare/lammps_input.hpp"
+#include "integrators/thermostat.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
+#include "model/velocities.hpp"
+#include "run/output_guard.hpp"
 
 namespace ljmd {
 

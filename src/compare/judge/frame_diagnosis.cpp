@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame_vectors.hpp"
-#include "ljmd/compare/judge/frame_judgement.hpp"
-#include "ljmd/compare/judge/net_force.hpp"
-#include "ljmd/compare/judge/velocity_diagnosis.hpp"
-#include "method_diagnosis.hpp"
-#include "missing_pairs.hpp"
-#include "start_diagnosis.hpp"
+#include "compare/judge/frame_judgement.hpp"
+#include "compare/judge/frame_vectors.hpp"
+#include "compare/judge/method_diagnosis.hpp"
+#include "compare/judge/missing_pairs.hpp"
+#include "compare/judge/net_force.hpp"
+#include "compare/judge/start_diagnosis.hpp"
+#include "compare/judge/velocity_diagnosis.hpp"
 
 namespace ljmd {
 

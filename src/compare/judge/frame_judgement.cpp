@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "compare/judge/frame_judgement.hpp"
 
 #include <fmt/format.h>
 

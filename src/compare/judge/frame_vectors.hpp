@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "compare/judge/frame_judgement.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "joint_diagnosis.hpp"
+#include "compare/judge/joint_diagnosis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,9 +10,9 @@
 #include <limits>
 #include <string_view>
 
-#include "explanations.hpp"
-#include "ljmd/compare/judge/near_pairs.hpp"
-#include "odd_pairs.hpp"
+#include "compare/judge/explanations.hpp"
+#include "compare/judge/near_pairs.hpp"
+#include "compare/judge/odd_pairs.hpp"
 
 namespace ljmd {
 

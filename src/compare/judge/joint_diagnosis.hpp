@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/compare/judge/point_judgement.hpp"
+#include "compare/judge/point_judgement.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/judge.hpp"
+#include "compare/judge/judge.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/compare/judge/few_digits.hpp"
-#include "ljmd/compare/judge/frame_judgement.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
-#include "ljmd/compare/point_comparison.hpp"
+#include "compare/judge/few_digits.hpp"
+#include "compare/judge/frame_judgement.hpp"
+#include "compare/judge/own_run.hpp"
+#include "compare/judge/point_judgement.hpp"
+#include "compare/point_comparison.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

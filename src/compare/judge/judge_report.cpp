@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "ljmd/compare/crosscheck_report.hpp"
-#include "ljmd/compare/judge/judge.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/run/run_report.hpp"
+#include "compare/crosscheck_report.hpp"
+#include "compare/judge/judge.hpp"
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "io/tables/json_text.hpp"
+#include "run/run_report.hpp"
 
 namespace ljmd {
 

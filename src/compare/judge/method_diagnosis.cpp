@@ -1,12 +1,12 @@
-#include "method_diagnosis.hpp"
+#include "compare/judge/method_diagnosis.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "frame_vectors.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
+#include "compare/judge/frame_vectors.hpp"
+#include "compare/judge/own_run.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

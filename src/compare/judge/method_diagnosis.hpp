@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "ljmd/compare/fluid.hpp"
-#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "compare/fluid.hpp"
+#include "compare/judge/frame_judgement.hpp"
+#include "ljmd/detail/forces/force_field.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/forces/force_field.hpp"
 
 namespace ljmd {
 

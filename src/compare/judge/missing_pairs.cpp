@@ -1,4 +1,4 @@
-#include "missing_pairs.hpp"
+#include "compare/judge/missing_pairs.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ljmd/compare/judge/near_pairs.hpp"
+#include "compare/judge/near_pairs.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {

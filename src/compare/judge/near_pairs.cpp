@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/near_pairs.hpp"
+#include "compare/judge/near_pairs.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "odd_pairs.hpp"
+#include "compare/judge/odd_pairs.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "ljmd/compare/judge/few_digits.hpp"
-#include "missing_pairs.hpp"
+#include "compare/judge/few_digits.hpp"
+#include "compare/judge/missing_pairs.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "explanations.hpp"
-#include "joint_diagnosis.hpp"
+#include "compare/judge/explanations.hpp"
+#include "compare/judge/joint_diagnosis.hpp"
 
 namespace ljmd {
 

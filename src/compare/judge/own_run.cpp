@@ -1,12 +1,12 @@
-#include "ljmd/compare/judge/own_run.hpp"
+#include "compare/judge/own_run.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 
-#include "ljmd/engine/time_loop.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "integrators/integrator.hpp"
+#include "ljmd/detail/engine/time_loop.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "explanations.hpp"
-#include "joint_diagnosis.hpp"
-#include "ljmd/compare/judge/net_force.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "compare/judge/explanations.hpp"
+#include "compare/judge/joint_diagnosis.hpp"
+#include "compare/judge/net_force.hpp"
+#include "compare/judge/point_judgement.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 namespace ljmd {
 

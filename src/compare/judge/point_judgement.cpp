@@ -1,10 +1,10 @@
-#include "ljmd/compare/judge/point_judgement.hpp"
+#include "compare/judge/point_judgement.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/compare/fluid.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "compare/fluid.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/row_judgement.hpp"
+#include "compare/judge/row_judgement.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "explanations.hpp"
-#include "ljmd/compare/judge/few_digits.hpp"
+#include "compare/judge/explanations.hpp"
+#include "compare/judge/few_digits.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/run_judgement.hpp"
+#include "compare/judge/run_judgement.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "ljmd/core/gsl_errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "core/gsl_errors.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "start_diagnosis.hpp"
+#include "compare/judge/start_diagnosis.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "explanations.hpp"
-#include "frame_vectors.hpp"
-#include "ljmd/compare/judge/few_digits.hpp"
+#include "compare/judge/explanations.hpp"
+#include "compare/judge/few_digits.hpp"
+#include "compare/judge/frame_vectors.hpp"
 
 namespace ljmd {
 

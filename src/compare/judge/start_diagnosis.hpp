@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "compare/judge/frame_judgement.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/velocity_diagnosis.hpp"
+#include "compare/judge/velocity_diagnosis.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "explanations.hpp"
+#include "compare/judge/explanations.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../openmm_module.hpp"
+#include "compare/openmm_module.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "../openmm_module.hpp"
+#include "compare/openmm_module.hpp"
 
 #include <OpenMM.h>
 
 #include <utility>
 
-#include "linked_openmm.hpp"
+#include "compare/openmm/linked_openmm.hpp"
 
 namespace ljmd {
 

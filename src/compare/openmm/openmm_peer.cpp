@@ -4,10 +4,10 @@
 #include <functional>
 #include <utility>
 
-#include "linked_openmm.hpp"
+#include "compare/openmm/linked_openmm.hpp"
+#include "compare/openmm/openmm_system.hpp"
+#include "core/stopwatch.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/stopwatch.hpp"
-#include "openmm_system.hpp"
 
 namespace ljmd {
 

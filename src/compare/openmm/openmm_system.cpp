@@ -1,4 +1,4 @@
-#include "openmm_system.hpp"
+#include "compare/openmm/openmm_system.hpp"
 
 #include <fmt/format.h>
 

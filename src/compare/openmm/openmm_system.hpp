@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "../openmm_module.hpp"
+#include "compare/openmm_module.hpp"
 
 namespace ljmd {
 

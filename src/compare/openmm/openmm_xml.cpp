@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "linked_openmm.hpp"
-#include "openmm_system.hpp"
+#include "compare/openmm/linked_openmm.hpp"
+#include "compare/openmm/openmm_system.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
-#include "ljmd/deck/tables/few_body_tables.hpp"
+#include "deck/tables/few_body_tables.hpp"
 
-#include "ljmd/forces/few_body_force.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "forces/few_body_force.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/deck/tables/fluid_tables.hpp"
+#include "deck/tables/fluid_tables.hpp"
 
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd {
 

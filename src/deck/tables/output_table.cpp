@@ -1,11 +1,11 @@
-#include "ljmd/deck/tables/output_table.hpp"
+#include "deck/tables/output_table.hpp"
 
 #include <fmt/format.h>
 
+#include "io/formats/trajectory_writer.hpp"
+#include "ljmd/detail/options/registry.hpp"
+#include "ljmd/detail/options/table_description.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/options/registry.hpp"
-#include "ljmd/options/table_description.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/engine/tables/potential_table.hpp"
+#include "engine/tables/potential_table.hpp"
 
-#include "ljmd/engine/mistakes.hpp"
+#include "engine/mistakes.hpp"
 
 namespace ljmd {
 

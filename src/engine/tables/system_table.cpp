@@ -1,9 +1,9 @@
-#include "ljmd/engine/tables/system_table.hpp"
+#include "engine/tables/system_table.hpp"
 
 #include <algorithm>
 
-#include "ljmd/engine/film_mistakes.hpp"
-#include "ljmd/engine/mistakes.hpp"
+#include "engine/film_mistakes.hpp"
+#include "engine/mistakes.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/verification/digits.hpp"
+#include "engine/verification/digits.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
@@ -6,7 +6,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
+#include "model/atoms_by_id.hpp"
 
 namespace ljmd {
 

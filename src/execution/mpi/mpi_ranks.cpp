@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "../mpi_module.hpp"
-#include "ljmd/execution/ranks.hpp"
+#include "execution/mpi_module.hpp"
+#include "execution/ranks.hpp"
 
 // The module that the program loads when mpirun has started it: all that needs the MPI library.
 

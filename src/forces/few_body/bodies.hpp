@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/forces/force_field.hpp"
+#include "ljmd/detail/forces/force_field.hpp"
 
 namespace ljmd {
 

@@ -1,5 +1,5 @@
-#include "bodies.hpp"
-#include "ljmd/forces/few_body_force.hpp"
+#include "forces/few_body/bodies.hpp"
+#include "forces/few_body_force.hpp"
 
 namespace ljmd {
 

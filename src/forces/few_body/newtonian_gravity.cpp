@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "bodies.hpp"
-#include "ljmd/forces/few_body_force.hpp"
+#include "forces/few_body/bodies.hpp"
+#include "forces/few_body_force.hpp"
 
 namespace ljmd {
 

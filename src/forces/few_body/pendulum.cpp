@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "bodies.hpp"
-#include "ljmd/core/elementary.hpp"
-#include "ljmd/forces/few_body_force.hpp"
+#include "forces/few_body/bodies.hpp"
+#include "forces/few_body_force.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

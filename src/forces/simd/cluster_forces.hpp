@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "pair_arithmetic.hpp"
+#include "forces/simd/pair_arithmetic.hpp"
 
 /// From sums over lanes to the forces on the atoms of a cluster.
 /// All names have internal linkage: the linker could otherwise take a function compiled for one processor in place of

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "pair_arithmetic.hpp"
+#include "forces/simd/pair_arithmetic.hpp"
 
 /// Energy and virial of a tile, from energies of rows and forces on clusters.
 /// All names have internal linkage, see cluster_forces.hpp.

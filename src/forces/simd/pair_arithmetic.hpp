@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ljmd/execution/simd_vector.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
-#include "ljmd/potentials/pair_term.hpp"
-#include "pair_kernel.hpp"
+#include "execution/simd_vector.hpp"
+#include "forces/simd/pair_kernel.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 /// How the atoms of rows and parts lie in the lanes of vectors, and their separations in either precision.
 /// All names have internal linkage: the linker could otherwise take a function compiled for one processor in place of

@@ -1,10 +1,10 @@
 // Compiled once for each SIMD level, see cmake/LjmdSimd.cmake.
-#include "pair_kernel.hpp"
+#include "forces/simd/pair_kernel.hpp"
 
-#include "cluster_forces.hpp"
-#include "energy_and_virial.hpp"
-#include "ljmd/execution/simd_vector.hpp"
-#include "pair_arithmetic.hpp"
+#include "execution/simd_vector.hpp"
+#include "forces/simd/cluster_forces.hpp"
+#include "forces/simd/energy_and_virial.hpp"
+#include "forces/simd/pair_arithmetic.hpp"
 
 namespace ljmd {
 

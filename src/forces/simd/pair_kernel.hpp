@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <variant>
 
+#include "execution/simd_levels.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/execution/simd_levels.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
-#include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
+#include "neighbors/cluster_grid.hpp"
+#include "neighbors/row_shape.hpp"
 
 namespace ljmd {
 

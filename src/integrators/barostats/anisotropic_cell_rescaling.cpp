@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "cell_rescaling_options.hpp"
+#include "core/random.hpp"
+#include "core/schedule.hpp"
+#include "integrators/barostats/cell_rescaling_options.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/random.hpp"
-#include "ljmd/core/schedule.hpp"
 
 namespace ljmd {
 

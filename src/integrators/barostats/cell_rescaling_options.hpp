@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/integrators/barostat.hpp"
+#include "integrators/barostat.hpp"
 
 namespace ljmd {
 

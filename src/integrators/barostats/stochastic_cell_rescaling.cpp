@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "cell_rescaling_options.hpp"
-#include "ljmd/core/elementary.hpp"
+#include "core/random.hpp"
+#include "core/schedule.hpp"
+#include "integrators/barostats/cell_rescaling_options.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/random.hpp"
-#include "ljmd/core/schedule.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
+#include "execution/loops.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
 

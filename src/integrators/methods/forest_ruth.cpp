@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "ljmd/core/elementary.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "integrators/integrator.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

@@ -1,5 +1,5 @@
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/integrators/integrator.hpp"
+#include "execution/loops.hpp"
+#include "integrators/integrator.hpp"
 
 namespace ljmd {
 

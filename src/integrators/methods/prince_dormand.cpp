@@ -1,5 +1,5 @@
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/reference_trajectory.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/reference_trajectory.hpp"
 
 namespace ljmd {
 

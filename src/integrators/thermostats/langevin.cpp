@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "ljmd/core/elementary.hpp"
-#include "ljmd/core/random.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "relaxation_time.hpp"
-#include "velocity_changes.hpp"
+#include "core/random.hpp"
+#include "integrators/thermostat.hpp"
+#include "integrators/thermostats/relaxation_time.hpp"
+#include "integrators/thermostats/velocity_changes.hpp"
+#include "ljmd/detail/core/elementary.hpp"
 
 namespace ljmd {
 

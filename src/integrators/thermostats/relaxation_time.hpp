@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/options/description.hpp"
+#include "ljmd/detail/options/description.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/core/schedule.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "core/schedule.hpp"
+#include "integrators/thermostat.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/state.hpp"
+#include "execution/loops.hpp"
+#include "ljmd/detail/model/state.hpp"
 
 namespace ljmd {
 

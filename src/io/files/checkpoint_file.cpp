@@ -1,4 +1,4 @@
-#include "ljmd/io/files/checkpoint_file.hpp"
+#include "io/files/checkpoint_file.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
@@ -14,10 +14,10 @@
 #include <string_view>
 #include <utility>
 
+#include "io/files/file_system.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/replacement_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/claimed_file.hpp"
+#include "io/files/claimed_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/directory_lock.hpp"
+#include "io/files/directory_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,9 +9,9 @@
 #include <chrono>
 #include <thread>
 
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
+#include "io/files/replacement_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 
 namespace ljmd {
 

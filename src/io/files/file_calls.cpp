@@ -1,4 +1,4 @@
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

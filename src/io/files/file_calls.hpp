@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "io/files/open_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/open_directory.hpp"
 
 namespace ljmd {
 

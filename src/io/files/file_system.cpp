@@ -1,4 +1,4 @@
-#include "ljmd/io/files/file_system.hpp"
+#include "io/files/file_system.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "gzip_input.hpp"
+#include "io/files/gzip_input.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
 
 #include <new>
 
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/input_file.hpp"
 
 namespace ljmd {
 

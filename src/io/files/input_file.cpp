@@ -1,4 +1,4 @@
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
 
 namespace ljmd {
 

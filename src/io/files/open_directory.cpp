@@ -1,4 +1,4 @@
-#include "ljmd/io/files/open_directory.hpp"
+#include "io/files/open_directory.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/output_file.hpp"
+#include "io/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <utility>
 
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
+#include "io/files/replacement_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/pipe.hpp"
+#include "io/files/pipe.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/process.hpp"
+#include "io/files/process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,10 +17,10 @@
 #include <thread>
 #include <utility>
 
-#include "../../execution/signals_blocked.hpp"
-#include "file_calls.hpp"
-#include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/files/pipe.hpp"
+#include "execution/signals_blocked.hpp"
+#include "io/files/file_calls.hpp"
+#include "io/files/file_system.hpp"
+#include "io/files/pipe.hpp"
 
 #if defined(__linux__)
 #include <sys/prctl.h>

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/program_module.hpp"
+#include "io/files/program_module.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 #include <sys/auxv.h>
 #endif
 
+#include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
 
 namespace ljmd {
 

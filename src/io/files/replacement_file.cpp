@@ -1,5 +1,5 @@
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/files/file_system.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/files/file_system.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "file_calls.hpp"
+#include "io/files/file_calls.hpp"
 
 namespace ljmd {
 

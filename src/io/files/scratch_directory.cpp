@@ -1,4 +1,4 @@
-#include "ljmd/io/files/scratch_directory.hpp"
+#include "io/files/scratch_directory.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string>
 
+#include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
 
 namespace ljmd {
 

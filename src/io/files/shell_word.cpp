@@ -1,4 +1,4 @@
-#include "ljmd/io/files/shell_word.hpp"
+#include "io/files/shell_word.hpp"
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/text_file.hpp"
+#include "io/files/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <system_error>
 
-#include "gzip_input.hpp"
+#include "io/files/gzip_input.hpp"
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
 namespace {

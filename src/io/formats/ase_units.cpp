@@ -1,4 +1,4 @@
-#include "ase_units.hpp"
+#include "io/formats/ase_units.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "ljmd/io/formats/atom_rows.hpp"
+#include "io/formats/atom_rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "ljmd/io/formats/configuration_check.hpp"
+#include "io/formats/configuration_check.hpp"
 
 namespace ljmd {
 Index read_atom_count(TextFile& file, std::string_view field, Index wanted) {

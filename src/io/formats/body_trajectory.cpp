@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/body_trajectory.hpp"
+#include "io/formats/body_trajectory.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "../hdf5/hdf5_input.hpp"
+#include "io/files/text_file.hpp"
+#include "io/hdf5/hdf5_input.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/text_file.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/configuration_check.hpp"
+#include "io/formats/configuration_check.hpp"
 
 #include <fmt/format.h>
 

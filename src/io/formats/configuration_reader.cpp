@@ -1,9 +1,9 @@
-#include "ljmd/io/formats/configuration_reader.hpp"
+#include "io/formats/configuration_reader.hpp"
 
 #include <fmt/format.h>
 
+#include "io/formats/readable_format.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/extended_xyz_header.hpp"
+#include "io/formats/extended_xyz_header.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/formats/configuration_check.hpp"
+#include "io/formats/configuration_check.hpp"
 
-#include "ljmd/io/formats/one_kind.hpp"
+#include "io/formats/one_kind.hpp"
 
 namespace ljmd {
 namespace {

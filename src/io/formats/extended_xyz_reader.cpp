@@ -1,13 +1,13 @@
-#include "ljmd/io/formats/extended_xyz_reader.hpp"
+#include "io/formats/extended_xyz_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "ase_units.hpp"
-#include "ljmd/io/formats/atom_rows.hpp"
-#include "ljmd/io/formats/extended_xyz_header.hpp"
+#include "io/formats/ase_units.hpp"
+#include "io/formats/atom_rows.hpp"
+#include "io/formats/extended_xyz_header.hpp"
 
 namespace ljmd {
 namespace {

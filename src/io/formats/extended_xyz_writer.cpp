@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "ase_units.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
-#include "row_writer.hpp"
-#include "unit_scale.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/formats/ase_units.hpp"
+#include "io/formats/row_writer.hpp"
+#include "io/formats/unit_scale.hpp"
+#include "model/atoms_by_id.hpp"
 
 namespace ljmd {
 

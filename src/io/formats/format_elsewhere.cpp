@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/format_elsewhere.hpp"
+#include "io/formats/format_elsewhere.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/frame_unwrapper.hpp"
+#include "io/formats/frame_unwrapper.hpp"
 
 namespace ljmd {
 

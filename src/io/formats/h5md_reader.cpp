@@ -1,4 +1,4 @@
-#include "h5md_reader.hpp"
+#include "io/formats/h5md_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <functional>
 #include <numeric>
 
+#include "io/formats/configuration_check.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/configuration_check.hpp"
 
 namespace ljmd {
 

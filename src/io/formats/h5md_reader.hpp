@@ -1,10 +1,10 @@
 #pragma once
 
-#include "../hdf5/hdf5_input.hpp"
-#include "h5md_units.hpp"
-#include "ljmd/io/formats/atom_rows.hpp"
-#include "ljmd/io/formats/one_kind.hpp"
-#include "ljmd/io/formats/trajectory_reader.hpp"
+#include "io/formats/atom_rows.hpp"
+#include "io/formats/h5md_units.hpp"
+#include "io/formats/one_kind.hpp"
+#include "io/formats/trajectory_reader.hpp"
+#include "io/hdf5/hdf5_input.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "h5md_units.hpp"
+#include "io/formats/h5md_units.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/io/files/text_file.hpp"
+#include "io/files/text_file.hpp"
 
 namespace ljmd {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "../hdf5/hdf5_input.hpp"
-#include "ljmd/options/units.hpp"
-#include "unit_scale.hpp"
+#include "io/formats/unit_scale.hpp"
+#include "io/hdf5/hdf5_input.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 namespace ljmd {
 

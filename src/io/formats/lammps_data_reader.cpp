@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/lammps_data_reader.hpp"
+#include "io/formats/lammps_data_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/formats/atom_rows.hpp"
-#include "ljmd/io/formats/configuration_check.hpp"
+#include "io/formats/atom_rows.hpp"
+#include "io/formats/configuration_check.hpp"
 
 namespace ljmd {
 namespace {

@@ -1,11 +1,11 @@
-#include "ljmd/io/formats/lammps_dump.hpp"
+#include "io/formats/lammps_dump.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "ljmd/io/formats/configuration_check.hpp"
+#include "io/formats/configuration_check.hpp"
 
 namespace ljmd {
 

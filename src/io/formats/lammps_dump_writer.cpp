@@ -1,13 +1,13 @@
-#include "ljmd/io/formats/lammps_dump_writer.hpp"
+#include "io/formats/lammps_dump_writer.hpp"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <vector>
 
+#include "io/formats/row_writer.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
-#include "row_writer.hpp"
+#include "model/atoms_by_id.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/io/formats/nist_format.hpp"
+#include "io/formats/nist_format.hpp"
 
 #include <fmt/format.h>
 
-#include "ljmd/io/formats/atom_rows.hpp"
+#include "io/formats/atom_rows.hpp"
 
 namespace ljmd {
 namespace {

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/one_kind.hpp"
+#include "io/formats/one_kind.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ljmd/io/files/text_file.hpp"
+#include "io/files/text_file.hpp"
 
 namespace ljmd {
 

@@ -1,15 +1,15 @@
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/readable_format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "core/text.hpp"
+#include "io/files/input_file.hpp"
+#include "io/formats/configuration_check.hpp"
+#include "io/formats/format_elsewhere.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/formats/configuration_check.hpp"
-#include "ljmd/io/formats/format_elsewhere.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "row_writer.hpp"
+#include "io/formats/row_writer.hpp"
 
 #include <fmt/compile.h>
 
 #include <string_view>
 #include <vector>
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

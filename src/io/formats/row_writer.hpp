@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <functional>
 
+#include "io/files/output_file.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
 
 namespace ljmd {
 

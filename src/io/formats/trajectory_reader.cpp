@@ -1,13 +1,13 @@
-#include "ljmd/io/formats/trajectory_reader.hpp"
+#include "io/formats/trajectory_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "io/files/text_file.hpp"
+#include "io/formats/readable_format.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/text_file.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
 
 namespace ljmd {
 

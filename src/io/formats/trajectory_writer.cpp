@@ -1,9 +1,9 @@
-#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
 
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 namespace ljmd {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ljmd/options/units.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
 
 #include <string_view>
 
-#include "ljmd/io/hdf5/hdf5_exit.hpp"
+#include "io/hdf5/hdf5_exit.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "hdf5_input.hpp"
+#include "io/hdf5/hdf5_input.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <type_traits>
 
+#include "core/memory_at_hand.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/memory_at_hand.hpp"
 
 namespace ljmd {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5/hdf5_handle.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "hdf5_memory_file.hpp"
+#include "io/hdf5/hdf5_memory_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "hdf5_output.hpp"
+#include "io/hdf5/hdf5_output.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -12,11 +12,11 @@
 #include <system_error>
 #include <utility>
 
-#include "../files/file_calls.hpp"
+#include "core/memory_at_hand.hpp"
+#include "io/files/file_calls.hpp"
+#include "io/files/output_file.hpp"
+#include "io/files/replacement_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/memory_at_hand.hpp"
-#include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "hdf5_memory_file.hpp"
-#include "ljmd/io/files/open_directory.hpp"
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
+#include "io/files/open_directory.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
+#include "io/hdf5/hdf5_memory_file.hpp"
 
 namespace ljmd {
 

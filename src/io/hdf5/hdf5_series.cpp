@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hdf5_output.hpp"
+#include "io/hdf5/hdf5_output.hpp"
 #include "ljmd/core/errors.hpp"
 
 // The datasets of an Hdf5Output that grow.

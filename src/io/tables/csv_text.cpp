@@ -1,8 +1,8 @@
-#include "ljmd/io/tables/csv_text.hpp"
+#include "io/tables/csv_text.hpp"
 
 #include <algorithm>
 
-#include "ljmd/core/text.hpp"
+#include "core/text.hpp"
 
 namespace ljmd {
 

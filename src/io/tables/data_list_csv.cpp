@@ -1,10 +1,10 @@
-#include "ljmd/io/tables/data_list_csv.hpp"
+#include "io/tables/data_list_csv.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "ljmd/io/tables/csv_text.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/csv_text.hpp"
+#include "io/tables/json_text.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/data_table_csv.hpp"
+#include "io/tables/data_table_csv.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <string_view>
 
+#include "io/files/input_file.hpp"
+#include "io/files/text_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/text_file.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/io/tables/json_file.hpp"
+#include "io/tables/json_file.hpp"
 
 #include <fstream>
 
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/input_file.hpp"
 
 namespace ljmd {
 

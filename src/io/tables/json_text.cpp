@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "ljmd/core/number_text.hpp"
-#include "ljmd/io/tables/exact_json.hpp"
+#include "core/number_text.hpp"
+#include "io/tables/exact_json.hpp"
 
 namespace ljmd {
 

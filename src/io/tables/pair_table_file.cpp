@@ -1,14 +1,14 @@
-#include "ljmd/io/tables/pair_table_file.hpp"
+#include "io/tables/pair_table_file.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
 
 #include <limits>
 
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/tables/exact_json.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/files/replacement_file.hpp"
+#include "io/tables/exact_json.hpp"
+#include "io/tables/json_file.hpp"
+#include "io/tables/json_text.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/io/tables/thermo_csv.hpp"
+#include "io/tables/thermo_csv.hpp"
 
-#include "ljmd/io/tables/data_table_csv.hpp"
+#include "io/tables/data_table_csv.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 // Compiled once for each SIMD level, see cmake/LjmdSimd.cmake.
-#include "list_kernel.hpp"
+#include "neighbors/simd/list_kernel.hpp"
 
-#include "ljmd/execution/simd_vector.hpp"
+#include "execution/simd_vector.hpp"
 
 namespace ljmd {
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "ljmd/execution/simd_levels.hpp"
-#include "ljmd/neighbors/candidates.hpp"
-#include "ljmd/neighbors/cluster_grid.hpp"
+#include "execution/simd_levels.hpp"
+#include "neighbors/candidates.hpp"
+#include "neighbors/cluster_grid.hpp"
 
 namespace ljmd {
 

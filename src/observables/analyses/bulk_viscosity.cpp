@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/transport/pressure_autocorrelation.hpp"
+#include "observables/transport/pressure_autocorrelation.hpp"
 
 namespace ljmd {
 

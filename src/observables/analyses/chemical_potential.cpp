@@ -1,4 +1,4 @@
-#include "ljmd/observables/widom_insertion.hpp"
+#include "observables/widom_insertion.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/configurational_temperature.hpp"
+#include "observables/configurational_temperature.hpp"
 
 namespace ljmd {
 

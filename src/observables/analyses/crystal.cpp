@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/structure/crystal_order.hpp"
+#include "observables/structure/crystal_order.hpp"
 
 namespace ljmd {
 

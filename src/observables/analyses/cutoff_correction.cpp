@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ljmd/observables/cutoff_correction.hpp"
+#include "observables/cutoff_correction.hpp"
 
 namespace ljmd {
 

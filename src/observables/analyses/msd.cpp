@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/transport/long_times.hpp"
-#include "ljmd/observables/transport/mean_square_displacement.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "observables/transport/long_times.hpp"
+#include "observables/transport/mean_square_displacement.hpp"
+#include "observables/transport/time_origins.hpp"
 
 namespace ljmd {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ljmd/observables/structure/radial_distribution.hpp"
+#include "observables/structure/radial_distribution.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/response/sampled_responses.hpp"
+#include "observables/response/sampled_responses.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/observables/dynamics/scattering.hpp"
-#include "ljmd/observables/transport/long_times.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "observables/dynamics/scattering.hpp"
+#include "observables/transport/long_times.hpp"
+#include "observables/transport/time_origins.hpp"
 
 #include <fmt/format.h>
 

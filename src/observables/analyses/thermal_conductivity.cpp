@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/heat_flux_autocorrelation.hpp"
+#include "observables/transport/heat_flux_autocorrelation.hpp"
 
 namespace ljmd {
 

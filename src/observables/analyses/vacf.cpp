@@ -1,5 +1,5 @@
-#include "ljmd/observables/transport/long_times.hpp"
-#include "ljmd/observables/transport/velocity_autocorrelation.hpp"
+#include "observables/transport/long_times.hpp"
+#include "observables/transport/velocity_autocorrelation.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/dynamics/self_van_hove.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "observables/dynamics/self_van_hove.hpp"
+#include "observables/transport/time_origins.hpp"
 
 namespace ljmd {
 

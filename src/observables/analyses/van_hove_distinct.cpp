@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/observables/dynamics/distinct_van_hove.hpp"
+#include "observables/dynamics/distinct_van_hove.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/stress_autocorrelation.hpp"
+#include "observables/transport/stress_autocorrelation.hpp"
 
 namespace ljmd {
 

@@ -1,14 +1,14 @@
-#include "ljmd/observables/dynamics/distinct_van_hove.hpp"
+#include "observables/dynamics/distinct_van_hove.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/core/archived_count.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "observables/transport/centre_frame.hpp"
 
 namespace ljmd {
 

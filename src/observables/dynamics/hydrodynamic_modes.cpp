@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/hydrodynamic_modes.hpp"
+#include "observables/dynamics/hydrodynamic_modes.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/LevenbergMarquardt>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/transport/correlation_windows.hpp"
+#include "observables/transport/correlation_windows.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/scattering.hpp"
+#include "observables/dynamics/scattering.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <numbers>
 #include <utility>
 
-#include "ljmd/core/archived_count.hpp"
-#include "ljmd/core/elementary.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "ljmd/detail/core/elementary.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/time_origins.hpp"
 
 namespace ljmd {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ljmd/observables/dynamics/hydrodynamic_modes.hpp"
-#include "ljmd/observables/dynamics/scattering.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/dynamics/hydrodynamic_modes.hpp"
+#include "observables/dynamics/scattering.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 // The modes of sound, heat, shear and diffusion that scattering functions are fitted by, with errors by a jackknife.
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/self_van_hove.hpp"
+#include "observables/dynamics/self_van_hove.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/core/archived_count.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/time_origins.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/observables/few_body/closest_approach.hpp"
+#include "observables/few_body/closest_approach.hpp"
 
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/hermite.hpp"
+#include "observables/statistics/hermite.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/observables/few_body/few_body.hpp"
+#include "ljmd/detail/observables/few_body/few_body.hpp"
 
 #include <Eigen/Geometry>
 
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 #include "ljmd/options/choice.hpp"
 

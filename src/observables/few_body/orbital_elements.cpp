@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/orbital_elements.hpp"
+#include "observables/few_body/orbital_elements.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/turning_points.hpp"
+#include "observables/few_body/turning_points.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/hermite.hpp"
+#include "observables/statistics/hermite.hpp"
 
 namespace ljmd {
 

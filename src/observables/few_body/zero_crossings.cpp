@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/zero_crossings.hpp"
+#include "observables/few_body/zero_crossings.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/hermite.hpp"
+#include "observables/statistics/hermite.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/observables/few_body/closest_approach.hpp"
+#include "observables/few_body/closest_approach.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 namespace ljmd {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/observables/few_body/closest_approach.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
-#include "ljmd/observables/few_body/orbital_elements.hpp"
-#include "ljmd/observables/few_body/turning_points.hpp"
+#include "observables/few_body/closest_approach.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
+#include "observables/few_body/orbital_elements.hpp"
+#include "observables/few_body/turning_points.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
-#include "ljmd/observables/few_body/zero_crossings.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
+#include "observables/few_body/zero_crossings.hpp"
 
 namespace ljmd {
 

@@ -1,12 +1,12 @@
-#include "ljmd/observables/interface/film.hpp"
+#include "observables/interface/film.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 
-#include "ljmd/observables/interface/pressure_profile.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/interface/pressure_profile.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,12 +1,12 @@
-#include "ljmd/observables/interface/pressure_profile.hpp"
+#include "observables/interface/pressure_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
+#include "execution/loops.hpp"
+#include "model/velocities.hpp"
+#include "neighbors/pairs_within.hpp"
 
 namespace ljmd {
 

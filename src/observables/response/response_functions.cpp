@@ -1,4 +1,4 @@
-#include "ljmd/observables/response/response_functions.hpp"
+#include "observables/response/response_functions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "ljmd/observables/response/canonical.hpp"
-#include "ljmd/observables/response/constant_energy.hpp"
-#include "ljmd/observables/response/isothermal_isobaric.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "observables/response/canonical.hpp"
+#include "observables/response/constant_energy.hpp"
+#include "observables/response/isothermal_isobaric.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
-#include "ljmd/observables/response/sampled_responses.hpp"
+#include "observables/response/sampled_responses.hpp"
 
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/pair_curvature.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/velocities.hpp"
+#include "observables/pair_curvature.hpp"
 
 namespace ljmd {
 

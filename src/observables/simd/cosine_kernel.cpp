@@ -1,6 +1,6 @@
-#include "cosine_kernel.hpp"
+#include "observables/simd/cosine_kernel.hpp"
 
-#include "ljmd/execution/simd_vector.hpp"
+#include "execution/simd_vector.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "execution/simd_levels.hpp"
 #include "ljmd/core/types.hpp"
-#include "ljmd/execution/simd_levels.hpp"
 
 namespace ljmd {
 

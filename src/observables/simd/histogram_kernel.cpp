@@ -1,4 +1,4 @@
-#include "histogram_kernel.hpp"
+#include "observables/simd/histogram_kernel.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "ljmd/execution/simd_levels.hpp"
+#include "execution/simd_levels.hpp"
 
 namespace ljmd {
 

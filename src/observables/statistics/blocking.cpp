@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
 
 namespace ljmd {
 namespace {

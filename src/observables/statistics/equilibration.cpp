@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/equilibration.hpp"
+#include "observables/statistics/equilibration.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <limits>
 #include <numbers>
 
-#include "ljmd/observables/fourier.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "observables/fourier.hpp"
 
 namespace ljmd {
 

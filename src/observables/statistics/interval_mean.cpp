@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/interval_mean.hpp"
+#include "observables/statistics/interval_mean.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/jackknife_blocks.hpp"
+#include "ljmd/detail/observables/statistics/jackknife_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +54,8 @@ std::vector<Eigen::VectorXd> JackknifeBlocks::joined(std::size_t count) const {
     return longer;
 }
 
-Eigen::VectorXd JackknifeBlocks::errors(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function, Index shared) const {
+Eigen::VectorXd JackknifeBlocks::errors(const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function,
+                                        Index shared) const {
     const Index count = std::max(Index{1}, (2 * shared + length_ - 1) / length_);
     const std::vector<Eigen::VectorXd> means = joined(static_cast<std::size_t>(count));
     if (means.size() < least_blocks) {

@@ -1,10 +1,10 @@
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd {
 

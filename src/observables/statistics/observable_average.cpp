@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/observable_average.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
 
 #include <fmt/format.h>
 

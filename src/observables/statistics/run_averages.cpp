@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/run_averages.hpp"
+#include "ljmd/detail/observables/statistics/run_averages.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/statistics/known_quantity.hpp"
+#include "ljmd/detail/observables/statistics/known_quantity.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/wanted_errors.hpp"
+#include "ljmd/detail/observables/statistics/wanted_errors.hpp"
 
 #include <algorithm>
 #include <cmath>

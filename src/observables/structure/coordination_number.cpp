@@ -1,5 +1,5 @@
-#include "ljmd/observables/structure/coordination_number.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/structure/coordination_number.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

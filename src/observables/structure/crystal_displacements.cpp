@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/crystal_displacements.hpp"
+#include "observables/structure/crystal_displacements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/crystal_order.hpp"
+#include "observables/structure/crystal_order.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "execution/loops.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

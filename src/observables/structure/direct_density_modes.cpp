@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/structure/density_modes.hpp"
+#include "execution/loops.hpp"
+#include "observables/structure/density_modes.hpp"
 
 namespace ljmd {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/core/quadrature.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/structure/density_modes.hpp"
+#include "core/quadrature.hpp"
+#include "execution/loops.hpp"
+#include "observables/structure/density_modes.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
-#include "ljmd/observables/structure/order_parameter.hpp"
+#include "observables/structure/order_parameter.hpp"
 
-#include "../simd/cosine_kernel.hpp"
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
+#include "observables/simd/cosine_kernel.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/structure/pair_histogram.hpp"
+#include "observables/structure/pair_histogram.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "../simd/histogram_kernel.hpp"
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
+#include "observables/simd/histogram_kernel.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/radial_distribution.hpp"
+#include "observables/structure/radial_distribution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/structure/pair_histogram.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "observables/structure/pair_histogram.hpp"
 
 namespace ljmd {
 

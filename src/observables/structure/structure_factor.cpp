@@ -1,12 +1,12 @@
-#include "ljmd/observables/structure/structure_factor.hpp"
+#include "observables/structure/structure_factor.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 

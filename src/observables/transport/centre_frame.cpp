@@ -1,9 +1,9 @@
-#include "ljmd/observables/transport/centre_frame.hpp"
+#include "observables/transport/centre_frame.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "ljmd/execution/loops.hpp"
+#include "execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/correlation_windows.hpp"
+#include "observables/transport/correlation_windows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 

@@ -1,5 +1,5 @@
-#include "ljmd/observables/transport/finite_size.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/transport/finite_size.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/green_kubo.hpp"
+#include "observables/transport/green_kubo.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/green_kubo_averages.hpp"
+#include "observables/transport/green_kubo_averages.hpp"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/observables/transport/green_kubo.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "observables/transport/green_kubo.hpp"
 
 namespace ljmd {
 

@@ -1,9 +1,9 @@
-#include "ljmd/observables/transport/heat_flux.hpp"
+#include "observables/transport/heat_flux.hpp"
 
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/pairs_within.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/potentials/pair_term.hpp"
+#include "execution/loops.hpp"
+#include "ljmd/detail/potentials/pair_term.hpp"
+#include "neighbors/pairs_within.hpp"
+#include "observables/transport/centre_frame.hpp"
 
 namespace ljmd {
 

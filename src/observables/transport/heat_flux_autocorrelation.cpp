@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/heat_flux_autocorrelation.hpp"
+#include "observables/transport/heat_flux_autocorrelation.hpp"
 
 #include <limits>
 
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
-#include "ljmd/observables/transport/heat_flux.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "observables/transport/heat_flux.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/long_times.hpp"
+#include "observables/transport/long_times.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
 
 namespace ljmd {
 

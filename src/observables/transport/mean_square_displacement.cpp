@@ -1,17 +1,17 @@
-#include "ljmd/observables/transport/mean_square_displacement.hpp"
+#include "observables/transport/mean_square_displacement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/core/archived_count.hpp"
+#include "execution/loops.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/loops.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/overlapping_origins.hpp"
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "ljmd/detail/core/archived_count.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/overlapping_origins.hpp"
+#include "observables/transport/time_origins.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/overlapping_origins.hpp"
+#include "observables/transport/overlapping_origins.hpp"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/stress_autocorrelation.hpp"
+#include "observables/transport/stress_autocorrelation.hpp"
 
 #include <limits>
 #include <numbers>
 
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/velocities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 namespace ljmd {
 

@@ -1,14 +1,14 @@
-#include "ljmd/observables/transport/velocity_autocorrelation.hpp"
+#include "observables/transport/velocity_autocorrelation.hpp"
 
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/transport/centre_frame.hpp"
-#include "ljmd/observables/transport/green_kubo.hpp"
-#include "ljmd/observables/transport/long_times.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "observables/transport/centre_frame.hpp"
+#include "observables/transport/green_kubo.hpp"
+#include "observables/transport/long_times.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 namespace ljmd {
 

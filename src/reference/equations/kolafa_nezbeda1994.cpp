@@ -1,7 +1,7 @@
 #include <array>
 #include <numbers>
 
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 namespace ljmd {
 

@@ -1,5 +1,5 @@
-#include "../multiparameter.hpp"
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
+#include "reference/multiparameter.hpp"
 
 namespace ljmd {
 

@@ -3,14 +3,14 @@
 #include <cctype>
 #include <cmath>
 
-#include "ljmd/compare/recorded_comparison.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "compare/recorded_comparison.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "report/lenient_data.hpp"
+#include "report/pages/study_pages.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_charts.hpp"
 
 namespace ljmd {
 

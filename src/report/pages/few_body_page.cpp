@@ -1,17 +1,17 @@
-#include "ljmd/report/pages/few_body_page.hpp"
+#include "report/pages/few_body_page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/formats/body_trajectory.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/report/body_tracks.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_charts.hpp"
+#include "io/files/input_file.hpp"
+#include "io/formats/body_trajectory.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "report/body_tracks.hpp"
+#include "report/lenient_data.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_charts.hpp"
 
 namespace ljmd {
 

@@ -1,20 +1,20 @@
-#include "ljmd/report/pages/fluid_page.hpp"
+#include "report/pages/fluid_page.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
-#include "ljmd/analyze/thermo_report.hpp"
-#include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/result_doubts.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/report/atom_frames.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/run_charts.hpp"
-#include "ljmd/report/run_quantities.hpp"
-#include "ljmd/report/run_verdicts.hpp"
+#include "analyze/thermo_report.hpp"
+#include "deck/fluid.hpp"
+#include "engine/result_doubts.hpp"
+#include "io/files/input_file.hpp"
+#include "io/formats/configuration_reader.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "report/atom_frames.hpp"
+#include "report/lenient_data.hpp"
+#include "report/run_charts.hpp"
+#include "report/run_quantities.hpp"
+#include "report/run_verdicts.hpp"
 
 namespace ljmd {
 

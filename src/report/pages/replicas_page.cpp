@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/files/input_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_quantities.hpp"
-#include "ljmd/study/study_report.hpp"
-#include "ljmd/study/sweep_record.hpp"
+#include "report/lenient_data.hpp"
+#include "report/pages/study_pages.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_quantities.hpp"
+#include "study/study_report.hpp"
+#include "study/sweep_record.hpp"
 
 namespace ljmd {
 

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_charts.hpp"
-#include "ljmd/study/reproduction_report.hpp"
-#include "ljmd/study/study_report.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "report/pages/study_pages.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_charts.hpp"
+#include "study/reproduction_report.hpp"
+#include "study/study_report.hpp"
 
 namespace ljmd {
 

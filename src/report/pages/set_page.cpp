@@ -1,4 +1,4 @@
-#include "ljmd/report/pages/set_page.hpp"
+#include "report/pages/set_page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/run/run_directory.hpp"
+#include "io/files/input_file.hpp"
+#include "report/lenient_data.hpp"
+#include "report/pages/study_pages.hpp"
+#include "run/run_directory.hpp"
 
 namespace ljmd {
 

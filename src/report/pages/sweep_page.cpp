@@ -5,19 +5,19 @@
 #include <numeric>
 #include <set>
 
-#include "ljmd/core/text.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/observables/statistics/observable_average.hpp"
-#include "ljmd/report/equation_curve.hpp"
-#include "ljmd/report/lenient_data.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/report/quantity_names.hpp"
-#include "ljmd/report/run_quantities.hpp"
-#include "ljmd/run/recorded_results.hpp"
-#include "ljmd/run/recorded_run.hpp"
-#include "ljmd/study/study_report.hpp"
-#include "ljmd/study/sweep_points.hpp"
-#include "ljmd/study/sweep_record.hpp"
+#include "core/text.hpp"
+#include "io/files/input_file.hpp"
+#include "ljmd/detail/observables/statistics/observable_average.hpp"
+#include "report/equation_curve.hpp"
+#include "report/lenient_data.hpp"
+#include "report/pages/study_pages.hpp"
+#include "report/quantity_names.hpp"
+#include "report/run_quantities.hpp"
+#include "run/recorded_results.hpp"
+#include "run/recorded_run.hpp"
+#include "study/study_report.hpp"
+#include "study/sweep_points.hpp"
+#include "study/sweep_record.hpp"
 
 namespace ljmd {
 

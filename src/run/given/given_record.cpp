@@ -1,4 +1,4 @@
-#include "ljmd/run/given/given_record.hpp"
+#include "run/given/given_record.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,14 +6,14 @@
 
 #include <utility>
 
+#include "core/text.hpp"
+#include "engine/mistakes.hpp"
+#include "io/files/shell_word.hpp"
+#include "io/tables/json_file.hpp"
+#include "io/tables/pair_table_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/stage.hpp"
-#include "ljmd/io/files/shell_word.hpp"
-#include "ljmd/io/tables/json_file.hpp"
-#include "ljmd/io/tables/pair_table_file.hpp"
-#include "ljmd/potentials/potential_identity.hpp"
+#include "potentials/potential_identity.hpp"
 
 namespace ljmd {
 

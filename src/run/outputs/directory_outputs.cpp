@@ -1,4 +1,4 @@
-#include "ljmd/run/outputs/directory_outputs.hpp"
+#include "run/outputs/directory_outputs.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
-#include "ljmd/run/outputs/shared_outputs.hpp"
+#include "run/outputs/shared_outputs.hpp"
 
-#include "ljmd/run/interruption.hpp"
+#include "ljmd/detail/run/interruption.hpp"
 
 namespace ljmd {
 

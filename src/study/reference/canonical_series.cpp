@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/canonical_series.hpp"
+#include "study/reference/canonical_series.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/observables/statistics/equilibration.hpp"
-#include "ljmd/run/recorded_results.hpp"
+#include "observables/statistics/equilibration.hpp"
+#include "run/recorded_results.hpp"
 
 namespace ljmd {
 

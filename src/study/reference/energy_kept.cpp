@@ -1,11 +1,11 @@
-#include "ljmd/study/reference/energy_kept.hpp"
+#include "study/reference/energy_kept.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ljmd/io/tables/json_file.hpp"
+#include "io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,10 +1,10 @@
-#include "ljmd/study/reference/merged_observables.hpp"
+#include "study/reference/merged_observables.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "ljmd/io/tables/json_file.hpp"
+#include "io/tables/json_file.hpp"
 
 namespace ljmd {
 

@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_property.hpp"
+#include "study/reference/reference_property.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

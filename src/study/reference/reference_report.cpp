@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_report.hpp"
+#include "study/reference/reference_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
+#include "core/text_table.hpp"
+#include "engine/result_doubts.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/text.hpp"
-#include "ljmd/core/text_table.hpp"
-#include "ljmd/engine/result_doubts.hpp"
-#include "ljmd/study/error_in_brackets.hpp"
+#include "study/error_in_brackets.hpp"
 
 namespace ljmd {
 

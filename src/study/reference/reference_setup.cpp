@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_setup.hpp"
+#include "study/reference/reference_setup.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
 #include "ljmd/reference/pressure_states.hpp"
 #include "ljmd/run/spec_deck.hpp"
 

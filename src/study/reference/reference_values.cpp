@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_values.hpp"
+#include "study/reference/reference_values.hpp"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <limits>
 #include <numbers>
 
-#include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
-#include "ljmd/observables/statistics/wanted_errors.hpp"
-#include "ljmd/observables/transport/finite_size.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
-#include "ljmd/study/reference/energy_kept.hpp"
-#include "ljmd/study/reference/merged_observables.hpp"
-#include "ljmd/study/replica_merge.hpp"
+#include "io/tables/data_table_csv.hpp"
+#include "ljmd/detail/observables/statistics/wanted_errors.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
+#include "observables/statistics/known_quantities.hpp"
+#include "observables/transport/finite_size.hpp"
+#include "study/reference/energy_kept.hpp"
+#include "study/reference/merged_observables.hpp"
+#include "study/replica_merge.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
+#include "analyze/thermo_report.hpp"
 #include "cli/command_words.hpp"
-#include "ljmd/analyze/thermo_report.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,7 +1,7 @@
 #include "cli/command_words.hpp"
 #include "deck/deck_fixtures.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,6 +1,6 @@
 #include "cli/command_words.hpp"
+#include "cli/pages/completion.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/cli/pages/completion.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

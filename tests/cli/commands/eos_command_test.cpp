@@ -1,9 +1,9 @@
 #include "cli/command_words.hpp"
 #include "deck/deck_fixtures.hpp"
+#include "io/tables/data_list_csv.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/data_list_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/reference/equation_report.hpp"
+#include "reference/equation_report.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "cli/command_words.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,8 +1,8 @@
 #include "cli/command_words.hpp"
+#include "cli/example_decks.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/cli/example_decks.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/run/output_guard.hpp"
+#include "run/output_guard.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,8 +1,8 @@
 #include "cli/command_words.hpp"
+#include "io/files/input_file.hpp"
+#include "io/tables/json_text.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/report/report.hpp"
+#include "report/report.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,6 +1,6 @@
 #include "cli/command_words.hpp"
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/cli/judge/judge_command.hpp"
+#include "cli/judge/judge_command.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/cli/pages/command_tree.hpp"
+#include "cli/pages/command_tree.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/cli/pages/completion.hpp"
+#include "cli/pages/completion.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/cli/pages/command_tree.hpp"
+#include "cli/pages/command_tree.hpp"
 
 namespace ljmd::test {
 

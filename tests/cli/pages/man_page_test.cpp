@@ -1,4 +1,4 @@
-#include "ljmd/cli/pages/man_page.hpp"
+#include "cli/pages/man_page.hpp"
 
 #include <catch2/catch.hpp>
 

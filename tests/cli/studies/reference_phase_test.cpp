@@ -1,4 +1,4 @@
-#include "ljmd/cli/studies/reference_phase.hpp"
+#include "cli/studies/reference_phase.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

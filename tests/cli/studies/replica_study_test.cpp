@@ -1,8 +1,8 @@
-#include "ljmd/cli/studies/replica_study.hpp"
+#include "cli/studies/replica_study.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/study/replicas.hpp"
+#include "study/replicas.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/cli/studies/study_mode_options.hpp"
+#include "cli/studies/study_mode_options.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/cli/studies/study_steps.hpp"
+#include "cli/studies/study_steps.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/answer_reader.hpp"
+#include "compare/judge/answer_reader.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/energy_walk.hpp"
+#include "compare/judge/energy_walk.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

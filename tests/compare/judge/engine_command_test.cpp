@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/engine_command.hpp"
+#include "compare/judge/engine_command.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

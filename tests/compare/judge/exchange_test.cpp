@@ -1,12 +1,12 @@
-#include "ljmd/compare/judge/exchange.hpp"
+#include "compare/judge/exchange.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "compare/judge/small_problem.hpp"
+#include "integrators/thermostat.hpp"
 #include "io/output_fixtures.hpp"
+#include "io/tables/json_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/io/tables/json_file.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/compare/agreement.hpp"
+#include "compare/agreement.hpp"
 
 namespace ljmd::test {
 

@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/few_digits.hpp"
+#include "compare/judge/few_digits.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "compare/judge/frame_judgement.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/compare/judge/point_judgement.hpp"
+#include "compare/judge/point_judgement.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "ljmd/compare/judge/judge.hpp"
-#include "ljmd/io/tables/json_text.hpp"
+#include "compare/judge/judge.hpp"
+#include "io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,11 +1,11 @@
-#include "ljmd/compare/judge/judge.hpp"
+#include "compare/judge/judge.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "compare/judge/own_run.hpp"
+#include "compare/judge/point_judgement.hpp"
 #include "compare/judge/small_problem.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "compare/judge/near_pairs.hpp"
 #include "compare/judge/right_trajectory.hpp"
-#include "ljmd/compare/judge/near_pairs.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

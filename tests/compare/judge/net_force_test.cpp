@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/net_force.hpp"
+#include "compare/judge/net_force.hpp"
 
 #include <catch2/catch.hpp>
 

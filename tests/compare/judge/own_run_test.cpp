@@ -1,9 +1,9 @@
-#include "ljmd/compare/judge/own_run.hpp"
+#include "compare/judge/own_run.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "compare/judge/point_judgement.hpp"
 #include "compare/judge/small_problem.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

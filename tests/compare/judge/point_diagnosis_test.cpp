@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "compare/judge/near_pairs.hpp"
+#include "compare/judge/point_judgement.hpp"
 #include "compare/judge/shaken_liquid.hpp"
-#include "ljmd/compare/judge/near_pairs.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

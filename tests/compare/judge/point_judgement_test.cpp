@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/point_judgement.hpp"
+#include "compare/judge/point_judgement.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "compare/judge/frame_judgement.hpp"
+#include "compare/judge/own_run.hpp"
+#include "compare/judge/point_judgement.hpp"
 #include "compare/judge/small_problem.hpp"
-#include "ljmd/compare/judge/frame_judgement.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
 
 namespace ljmd::test {
 

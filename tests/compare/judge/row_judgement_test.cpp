@@ -1,13 +1,13 @@
-#include "ljmd/compare/judge/row_judgement.hpp"
+#include "compare/judge/row_judgement.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "compare/judge/failed_checks.hpp"
+#include "compare/judge/own_run.hpp"
+#include "compare/judge/point_judgement.hpp"
 #include "compare/judge/small_problem.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
-#include "ljmd/compare/judge/point_judgement.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,6 +1,6 @@
-#include "ljmd/compare/judge/run_judgement.hpp"
+#include "compare/judge/run_judgement.hpp"
 #include "compare/judge/failed_checks.hpp"
-#include "ljmd/compare/judge/own_run.hpp"
+#include "compare/judge/own_run.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

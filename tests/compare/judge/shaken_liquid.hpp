@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "ljmd/compare/judge/point_judgement.hpp"
-#include "ljmd/compare/point_comparison.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "compare/judge/point_judgement.hpp"
+#include "compare/point_comparison.hpp"
+#include "forces/pair_force_field.hpp"
+#include "model/velocities.hpp"
 #include "physics/liquid.hpp"
 
 namespace ljmd::test {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "compare/judge/answer.hpp"
+#include "compare/judge/exchange.hpp"
+#include "compare/judge/judge.hpp"
 #include "compare/made_peer.hpp"
-#include "ljmd/compare/judge/answer.hpp"
-#include "ljmd/compare/judge/exchange.hpp"
-#include "ljmd/compare/judge/judge.hpp"
 
 namespace ljmd::test {
 

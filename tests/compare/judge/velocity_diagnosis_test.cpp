@@ -1,4 +1,4 @@
-#include "ljmd/compare/judge/velocity_diagnosis.hpp"
+#include "compare/judge/velocity_diagnosis.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "compare/openmm.hpp"
 #include "compare/small_fluid.hpp"
-#include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
 #include "physics/liquid.hpp"
 

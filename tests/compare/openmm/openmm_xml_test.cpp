@@ -5,8 +5,8 @@
 #include <memory>
 #include <sstream>
 
+#include "compare/openmm.hpp"
 #include "compare/small_fluid.hpp"
-#include "ljmd/compare/openmm.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

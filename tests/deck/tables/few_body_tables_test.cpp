@@ -1,9 +1,9 @@
-#include "ljmd/deck/tables/few_body_tables.hpp"
+#include "deck/tables/few_body_tables.hpp"
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/forces/few_body_force.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "forces/few_body_force.hpp"
+#include "integrators/integrator.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

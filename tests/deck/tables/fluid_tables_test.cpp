@@ -1,4 +1,4 @@
-#include "ljmd/deck/tables/fluid_tables.hpp"
+#include "deck/tables/fluid_tables.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/deck/tables/output_table.hpp"
+#include "deck/tables/output_table.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/engine/tables/system_table.hpp"
+#include "engine/tables/system_table.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,11 +1,11 @@
-#include "ljmd/engine/verification/digits.hpp"
+#include "engine/verification/digits.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 
 using namespace ljmd;
 

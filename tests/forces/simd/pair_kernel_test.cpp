@@ -9,8 +9,8 @@
 
 #include "execution/test_execution.hpp"
 #include "forces/every_potential.hpp"
+#include "forces/pair_force_field.hpp"
 #include "forces/simd/pair_kernel.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/options/section.hpp"
+#include "integrators/barostat.hpp"
+#include "ljmd/detail/options/section.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd::test {
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "integrators/oscillator.hpp"
+#include "integrators/reference_trajectory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/integrators/reference_trajectory.hpp"
 #include "ljmd/model/box.hpp"
 
 using namespace ljmd;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "integrators/integrator.hpp"
 #include "integrators/oscillator.hpp"
-#include "ljmd/integrators/integrator.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
-#include "ljmd/core/random.hpp"
 
 using namespace ljmd;
 

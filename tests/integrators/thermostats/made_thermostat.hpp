@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/options/section.hpp"
+#include "integrators/thermostat.hpp"
+#include "ljmd/detail/options/section.hpp"
+#include "model/velocities.hpp"
 
 namespace ljmd::test {
 

@@ -2,7 +2,7 @@
 
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/checkpoint_file.hpp"
+#include "io/files/checkpoint_file.hpp"
 
 #include <sys/stat.h>
 

@@ -1,11 +1,11 @@
-#include "ljmd/io/files/claimed_file.hpp"
+#include "io/files/claimed_file.hpp"
 
 #include <optional>
 
+#include "io/files/directory_lock.hpp"
+#include "io/files/process.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
-#include "ljmd/io/files/process.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

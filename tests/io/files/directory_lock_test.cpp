@@ -1,4 +1,4 @@
-#include "ljmd/io/files/directory_lock.hpp"
+#include "io/files/directory_lock.hpp"
 
 #include <optional>
 

@@ -1,11 +1,11 @@
-#include "ljmd/io/files/file_system.hpp"
+#include "io/files/file_system.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
 
+#include "io/files/scratch_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/input_file.hpp"
+#include "io/files/input_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/open_directory.hpp"
+#include "io/files/open_directory.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/output_file.hpp"
+#include "io/files/output_file.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

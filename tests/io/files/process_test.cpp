@@ -1,4 +1,4 @@
-#include "ljmd/io/files/process.hpp"
+#include "io/files/process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,9 +12,9 @@
 #include <fstream>
 
 #include "core/environment_guard.hpp"
+#include "io/files/pipe.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/pipe.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,11 +1,11 @@
-#include "ljmd/io/files/program_module.hpp"
+#include "io/files/program_module.hpp"
 
 #include <dlfcn.h>
 
 #include <catch2/catch.hpp>
 
+#include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/file_system.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

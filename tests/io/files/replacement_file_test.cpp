@@ -1,10 +1,10 @@
-#include "ljmd/io/files/replacement_file.hpp"
+#include "io/files/replacement_file.hpp"
 
 #include <vector>
 
+#include "io/files/directory_lock.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/directory_lock.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/scratch_directory.hpp"
+#include "io/files/scratch_directory.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

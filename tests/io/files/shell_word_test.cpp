@@ -1,10 +1,10 @@
-#include "ljmd/io/files/shell_word.hpp"
+#include "io/files/shell_word.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/process.hpp"
+#include "io/files/scratch_directory.hpp"
 
 using namespace ljmd;
 

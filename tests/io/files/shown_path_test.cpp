@@ -1,4 +1,4 @@
-#include "ljmd/io/files/shown_path.hpp"
+#include "io/files/shown_path.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/files/text_file.hpp"
+#include "io/files/text_file.hpp"
 
 #include <catch2/catch.hpp>
 

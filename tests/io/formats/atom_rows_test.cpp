@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/atom_rows.hpp"
+#include "io/formats/atom_rows.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "ljmd/io/formats/body_trajectory.hpp"
+#include "io/formats/body_trajectory.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "io/tables/data_table_csv.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/tables/data_table_csv.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/configuration_reader.hpp"
+#include "io/formats/configuration_reader.hpp"
 
 #include <sys/stat.h>
 
@@ -6,9 +6,9 @@
 #include <functional>
 #include <random>
 
+#include "io/formats/trajectory_writer.hpp"
 #include "io/gzipped.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 
 using namespace ljmd;
 using ljmd::test::data_error;

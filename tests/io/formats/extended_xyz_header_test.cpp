@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/extended_xyz_header.hpp"
+#include "io/formats/extended_xyz_header.hpp"
 
 #include <catch2/catch.hpp>
 

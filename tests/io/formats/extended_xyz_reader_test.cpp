@@ -1,11 +1,11 @@
-#include "ljmd/io/formats/extended_xyz_reader.hpp"
+#include "io/formats/extended_xyz_reader.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <random>
 
+#include "io/formats/extended_xyz_writer.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,12 +1,12 @@
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
 
 #include <cmath>
 #include <sstream>
 
+#include "io/formats/configuration_reader.hpp"
 #include "io/output_fixtures.hpp"
 #include "io/three_atoms.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

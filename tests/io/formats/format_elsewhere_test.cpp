@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/format_elsewhere.hpp"
+#include "io/formats/format_elsewhere.hpp"
 
 #include <catch2/catch.hpp>
 

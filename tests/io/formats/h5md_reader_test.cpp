@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "io/formats/trajectory_writer.hpp"
 #include "io/hdf5/hdf5_output.hpp"
 #include "io/output_fixtures.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 
 // Files by h5py and MDAnalysis, with increments instead of arrays, are read by tests/cli/trajectories.py.
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/lammps_data_reader.hpp"
+#include "io/formats/lammps_data_reader.hpp"
 
 #include <catch2/catch.hpp>
 

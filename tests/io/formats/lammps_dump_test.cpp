@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/lammps_dump.hpp"
+#include "io/formats/lammps_dump.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>

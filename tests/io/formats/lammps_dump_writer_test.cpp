@@ -1,11 +1,11 @@
-#include "ljmd/io/formats/lammps_dump_writer.hpp"
+#include "io/formats/lammps_dump_writer.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "io/formats/lammps_dump.hpp"
 #include "io/output_fixtures.hpp"
 #include "io/three_atoms.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/lammps_dump.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

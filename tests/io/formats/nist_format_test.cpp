@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/nist_format.hpp"
+#include "io/formats/nist_format.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/one_kind.hpp"
+#include "io/formats/one_kind.hpp"
 
 #include <catch2/catch.hpp>
 

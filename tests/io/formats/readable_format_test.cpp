@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/readable_format.hpp"
 
 #include <fstream>
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
+#include "io/files/scratch_directory.hpp"
 
 using namespace ljmd;
 

@@ -1,11 +1,11 @@
-#include "ljmd/io/formats/trajectory_reader.hpp"
+#include "io/formats/trajectory_reader.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include "io/formats/trajectory_writer.hpp"
 #include "io/gzipped.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

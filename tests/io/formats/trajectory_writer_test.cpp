@@ -1,4 +1,4 @@
-#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
+#include "io/formats/trajectory_reader.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
 #include "io/output_fixtures.hpp"
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/trajectory_reader.hpp"
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
-#include "ljmd/options/registry.hpp"
+#include "ljmd/detail/core/archive.hpp"
+#include "ljmd/detail/options/registry.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

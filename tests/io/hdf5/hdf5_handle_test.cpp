@@ -1,4 +1,4 @@
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
 
 #include <catch2/catch.hpp>
 

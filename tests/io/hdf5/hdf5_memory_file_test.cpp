@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "io/hdf5/hdf5_handle.hpp"
 #include "io/output_fixtures.hpp"
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

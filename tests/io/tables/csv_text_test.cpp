@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/csv_text.hpp"
+#include "io/tables/csv_text.hpp"
 
 #include <catch2/catch.hpp>
 

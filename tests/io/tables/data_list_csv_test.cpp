@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/data_list_csv.hpp"
+#include "io/tables/data_list_csv.hpp"
 
 #include <catch2/catch.hpp>
 

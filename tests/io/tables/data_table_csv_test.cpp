@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/data_table_csv.hpp"
+#include "io/tables/data_table_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/files/text_file.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/files/text_file.hpp"
 
 using namespace ljmd;
 

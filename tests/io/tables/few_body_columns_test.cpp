@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/few_body_columns.hpp"
+#include "io/tables/few_body_columns.hpp"
 
 #include <catch2/catch.hpp>
 

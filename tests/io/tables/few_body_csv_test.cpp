@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/few_body_csv.hpp"
+#include "io/tables/few_body_csv.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
-#include "ljmd/io/tables/json_file.hpp"
+#include "io/tables/json_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "io/tables/json_text.hpp"
 #include "io/written_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

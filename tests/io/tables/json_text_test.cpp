@@ -1,6 +1,6 @@
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 
-#include "ljmd/io/tables/exact_json.hpp"
+#include "io/tables/exact_json.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/pair_table_file.hpp"
+#include "io/tables/pair_table_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/thermo_columns.hpp"
+#include "io/tables/thermo_columns.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/io/tables/thermo_csv.hpp"
+#include "io/tables/thermo_csv.hpp"
 
 #include <catch2/catch.hpp>
 #include <charconv>

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
+#include "neighbors/verlet_list.hpp"
 
 using namespace ljmd;
 

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/widom_insertion.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
+#include "observables/widom_insertion.hpp"
 
 using namespace ljmd;
 

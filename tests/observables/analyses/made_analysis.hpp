@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/options/section.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/options/section.hpp"
 
 namespace ljmd::test {
 

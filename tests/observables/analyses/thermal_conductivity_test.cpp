@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/hydrodynamic_modes.hpp"
+#include "observables/dynamics/hydrodynamic_modes.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

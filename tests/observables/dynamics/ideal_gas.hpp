@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ljmd/core/random.hpp"
-#include "ljmd/observables/analysis.hpp"
+#include "core/random.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 
 namespace ljmd::test {
 

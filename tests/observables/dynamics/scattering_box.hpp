@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/model/box.hpp"
-#include "ljmd/observables/analysis.hpp"
 
 // The box of the tests of scattering functions, and their tables by name.
 

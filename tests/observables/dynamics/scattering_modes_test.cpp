@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "ljmd/observables/dynamics/scattering.hpp"
+#include "observables/dynamics/scattering.hpp"
 #include "scattering_box.hpp"
 
 using namespace ljmd;

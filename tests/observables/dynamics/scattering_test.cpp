@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/scattering.hpp"
+#include "observables/dynamics/scattering.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

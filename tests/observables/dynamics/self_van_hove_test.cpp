@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/self_van_hove.hpp"
+#include "observables/dynamics/self_van_hove.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/dynamics/wave_vectors.hpp"
+#include "observables/dynamics/wave_vectors.hpp"
 
 #include <algorithm>
 #include <array>

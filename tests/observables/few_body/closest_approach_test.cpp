@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/closest_approach.hpp"
+#include "observables/few_body/closest_approach.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

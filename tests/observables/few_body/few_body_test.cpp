@@ -1,9 +1,9 @@
-#include "ljmd/observables/few_body/few_body.hpp"
+#include "ljmd/detail/observables/few_body/few_body.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/polar_angle.hpp"
+#include "observables/few_body/polar_angle.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

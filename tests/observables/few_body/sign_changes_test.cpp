@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/sign_changes.hpp"
+#include "observables/few_body/sign_changes.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/turning_points.hpp"
+#include "observables/few_body/turning_points.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

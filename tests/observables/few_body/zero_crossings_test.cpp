@@ -1,4 +1,4 @@
-#include "ljmd/observables/few_body/zero_crossings.hpp"
+#include "observables/few_body/zero_crossings.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "forces/made_few_body_force.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 namespace ljmd::test {
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/interface/film.hpp"
+#include "observables/interface/film.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -1,10 +1,10 @@
-#include "ljmd/observables/interface/pressure_profile.hpp"
+#include "observables/interface/pressure_profile.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "forces/pair_force_field.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

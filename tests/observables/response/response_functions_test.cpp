@@ -1,4 +1,4 @@
-#include "ljmd/observables/response/response_functions.hpp"
+#include "observables/response/response_functions.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/through_archive.hpp"
-#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/detail/observables/thermodynamics.hpp"
 
 using namespace ljmd;
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "ljmd/core/aligned_vector.hpp"
+#include "ljmd/detail/core/aligned_vector.hpp"
 
 using namespace ljmd;
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/detail/execution/simd.hpp"
 #include "ljmd/model/box.hpp"
 
 using namespace ljmd;

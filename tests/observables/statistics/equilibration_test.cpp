@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/equilibration.hpp"
+#include "observables/statistics/equilibration.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/hermite.hpp"
+#include "observables/statistics/hermite.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/jackknife_blocks.hpp"
+#include "ljmd/detail/observables/statistics/jackknife_blocks.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/statistics/linear_trend.hpp"
+#include "observables/statistics/linear_trend.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

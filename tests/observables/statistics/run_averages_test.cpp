@@ -1,12 +1,12 @@
-#include "ljmd/observables/statistics/run_averages.hpp"
+#include "ljmd/detail/observables/statistics/run_averages.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "ljmd/observables/response/response_functions.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/response/response_functions.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 using namespace ljmd;
 

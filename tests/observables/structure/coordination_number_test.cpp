@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/coordination_number.hpp"
+#include "observables/structure/coordination_number.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/crystal_displacements.hpp"
+#include "observables/structure/crystal_displacements.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/crystal_order.hpp"
+#include "observables/structure/crystal_order.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/observables/structure/density_modes.hpp"
 #include "neighbors/sample_states.hpp"
+#include "observables/structure/density_modes.hpp"
 
 using namespace ljmd;
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "execution/test_execution.hpp"
-#include "ljmd/observables/structure/density_modes.hpp"
 #include "neighbors/sample_states.hpp"
+#include "observables/structure/density_modes.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/order_parameter.hpp"
+#include "observables/structure/order_parameter.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/pair_histogram.hpp"
+#include "observables/structure/pair_histogram.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
-#include "ljmd/observables/structure/radial_distribution.hpp"
+#include "observables/structure/radial_distribution.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
+#include "neighbors/verlet_list.hpp"
 
 using namespace ljmd;
 

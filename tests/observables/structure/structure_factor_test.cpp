@@ -1,4 +1,4 @@
-#include "ljmd/observables/structure/structure_factor.hpp"
+#include "observables/structure/structure_factor.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/centre_frame.hpp"
+#include "observables/transport/centre_frame.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/correlation_windows.hpp"
+#include "observables/transport/correlation_windows.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

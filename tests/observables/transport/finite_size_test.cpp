@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/finite_size.hpp"
+#include "observables/transport/finite_size.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/green_kubo_averages.hpp"
+#include "observables/transport/green_kubo_averages.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "ljmd/observables/transport/heat_flux_autocorrelation.hpp"
+#include "observables/transport/heat_flux_autocorrelation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/transport/heat_flux.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
+#include "observables/transport/heat_flux.hpp"
 
 using namespace ljmd;
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/heat_flux.hpp"
+#include "observables/transport/heat_flux.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

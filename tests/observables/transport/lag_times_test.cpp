@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/lag_times.hpp"
+#include "observables/transport/lag_times.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

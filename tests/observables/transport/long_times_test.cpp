@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/long_times.hpp"
+#include "observables/transport/long_times.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

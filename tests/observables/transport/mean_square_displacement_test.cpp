@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/mean_square_displacement.hpp"
+#include "observables/transport/mean_square_displacement.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

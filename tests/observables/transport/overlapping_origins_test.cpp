@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/overlapping_origins.hpp"
+#include "observables/transport/overlapping_origins.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "ljmd/observables/transport/mean_square_displacement.hpp"
 #include "neighbors/sample_states.hpp"
+#include "observables/transport/mean_square_displacement.hpp"
 
 using namespace ljmd;
 

@@ -1,11 +1,11 @@
-#include "ljmd/observables/transport/stress_autocorrelation.hpp"
+#include "observables/transport/stress_autocorrelation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "core/through_archive.hpp"
-#include "ljmd/model/velocities.hpp"
+#include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/time_origins.hpp"
+#include "observables/transport/time_origins.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ljmd/observables/transport/velocity_autocorrelation.hpp"
+#include "observables/transport/velocity_autocorrelation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/potentials/formulas/lennard_jones.hpp"
+#include "ljmd/detail/potentials/formulas/lennard_jones.hpp"
 
 #include "potentials/closed_form.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/potentials/formulas/morse.hpp"
+#include "ljmd/detail/potentials/formulas/morse.hpp"
 
 #include "potentials/closed_form.hpp"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/detail/reference/equation_of_state.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
-#include "ljmd/report/pages/study_pages.hpp"
+#include "report/pages/study_pages.hpp"
 
-#include "ljmd/compare/recorded_comparison.hpp"
+#include "compare/recorded_comparison.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/report/pages/few_body_page.hpp"
+#include "report/pages/few_body_page.hpp"
 
 #include "report/report_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ljmd/report/pages/fluid_page.hpp"
+#include "report/pages/fluid_page.hpp"
 
 #include "report/report_fixtures.hpp"
 

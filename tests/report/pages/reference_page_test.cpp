@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "io/output_fixtures.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/report/report.hpp"
+#include "report/pages/study_pages.hpp"
+#include "report/report.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;

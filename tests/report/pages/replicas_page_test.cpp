@@ -1,6 +1,6 @@
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/study/replicas.hpp"
+#include "report/pages/study_pages.hpp"
 #include "report/report_fixtures.hpp"
+#include "study/replicas.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

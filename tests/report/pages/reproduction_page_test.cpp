@@ -1,8 +1,8 @@
-#include "ljmd/reference/verlet1967.hpp"
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/study/reproduction.hpp"
-#include "ljmd/study/reproduction_report.hpp"
+#include "reference/verlet1967.hpp"
+#include "report/pages/study_pages.hpp"
 #include "report/report_fixtures.hpp"
+#include "study/reproduction.hpp"
+#include "study/reproduction_report.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -1,4 +1,4 @@
-#include "ljmd/report/pages/study_pages.hpp"
+#include "report/pages/study_pages.hpp"
 
 #include "report/report_fixtures.hpp"
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "ljmd/report/pages/study_pages.hpp"
-#include "ljmd/study/sweep_record.hpp"
+#include "report/pages/study_pages.hpp"
 #include "report/report_fixtures.hpp"
+#include "study/sweep_record.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

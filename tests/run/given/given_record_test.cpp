@@ -1,11 +1,11 @@
-#include "ljmd/run/given/given_record.hpp"
+#include "run/given/given_record.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "io/output_fixtures.hpp"
+#include "io/tables/pair_table_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/pair_table_file.hpp"
-#include "ljmd/potentials/pair_table.hpp"
+#include "potentials/pair_table.hpp"
 #include "potentials/twelve_six.hpp"
 
 using namespace ljmd;

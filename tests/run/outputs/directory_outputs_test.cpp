@@ -1,4 +1,4 @@
-#include "ljmd/run/outputs/directory_outputs.hpp"
+#include "run/outputs/directory_outputs.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "run/run_fixtures.hpp"

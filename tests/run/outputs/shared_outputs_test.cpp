@@ -1,10 +1,10 @@
-#include "ljmd/run/outputs/shared_outputs.hpp"
+#include "run/outputs/shared_outputs.hpp"
 
 #include <catch2/catch.hpp>
 #include <mutex>
 
 #include "execution/rank_team.hpp"
-#include "ljmd/run/interruption.hpp"
+#include "ljmd/detail/run/interruption.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/canonical_series.hpp"
+#include "study/reference/canonical_series.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

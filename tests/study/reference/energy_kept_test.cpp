@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/energy_kept.hpp"
+#include "study/reference/energy_kept.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

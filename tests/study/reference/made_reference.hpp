@@ -8,7 +8,7 @@
 #include <string>
 
 #include "io/output_fixtures.hpp"
-#include "ljmd/study/reference/reference_values.hpp"
+#include "study/reference/reference_values.hpp"
 
 namespace ljmd::test {
 

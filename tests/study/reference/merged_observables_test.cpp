@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/merged_observables.hpp"
+#include "study/reference/merged_observables.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_length.hpp"
+#include "study/reference/reference_length.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

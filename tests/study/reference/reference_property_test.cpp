@@ -1,10 +1,10 @@
-#include "ljmd/study/reference/reference_property.hpp"
+#include "study/reference/reference_property.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "observables/statistics/known_quantities.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,8 +1,8 @@
-#include "ljmd/study/reference/reference_report.hpp"
+#include "study/reference/reference_report.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "ljmd/io/tables/json_text.hpp"
+#include "io/tables/json_text.hpp"
 #include "study/reference/made_reference.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/study/reference/reference_setup.hpp"
+#include "study/reference/reference_setup.hpp"
 
 #include <functional>
 

@@ -1,11 +1,11 @@
-#include "ljmd/study/reference/reference_values.hpp"
+#include "study/reference/reference_values.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/detail/potentials/tail_correction.hpp"
 #include "study/reference/made_reference.hpp"
 
 using namespace ljmd;

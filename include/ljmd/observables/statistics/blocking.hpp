@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/detail/core/archive.hpp"
 
 namespace ljmd {
 

@@ -1,5 +1,5 @@
-#include "../h5md_reader.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/h5md_reader.hpp"
+#include "io/formats/readable_format.hpp"
 
 namespace ljmd {
 

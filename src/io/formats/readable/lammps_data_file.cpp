@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/formats/lammps_data_reader.hpp"
+#include "io/formats/readable_format.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/lammps_data_reader.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
 
 namespace ljmd {
 

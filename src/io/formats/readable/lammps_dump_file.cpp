@@ -1,5 +1,5 @@
-#include "ljmd/io/formats/lammps_dump.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/lammps_dump.hpp"
+#include "io/formats/readable_format.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "ljmd/io/formats/nist_format.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/nist_format.hpp"
+#include "io/formats/readable_format.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,7 @@
 #include <vector>
 
-#include "ljmd/io/formats/extended_xyz_reader.hpp"
-#include "ljmd/io/formats/readable_format.hpp"
+#include "io/formats/extended_xyz_reader.hpp"
+#include "io/formats/readable_format.hpp"
 
 namespace ljmd {
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "../../hdf5/hdf5_output.hpp"
-#include "../unit_scale.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/output_file.hpp"
+#include "io/formats/trajectory_writer.hpp"
+#include "io/formats/unit_scale.hpp"
+#include "io/hdf5/hdf5_output.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/model/atoms_by_id.hpp"
+#include "model/atoms_by_id.hpp"
 
 namespace ljmd {
 

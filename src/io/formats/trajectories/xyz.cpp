@@ -1,5 +1,5 @@
-#include "ljmd/io/formats/extended_xyz_writer.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "io/formats/extended_xyz_writer.hpp"
+#include "io/formats/trajectory_writer.hpp"
 
 namespace ljmd {
 

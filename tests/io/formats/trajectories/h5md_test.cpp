@@ -2,11 +2,11 @@
 #include <numeric>
 #include <vector>
 
+#include "io/formats/trajectory_writer.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/io/hdf5/hdf5_handle.hpp"
-#include "ljmd/options/units.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

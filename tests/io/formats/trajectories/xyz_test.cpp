@@ -1,12 +1,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "io/formats/configuration_reader.hpp"
+#include "io/formats/trajectory_writer.hpp"
 #include "io/output_fixtures.hpp"
 #include "io/three_atoms.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/options/units.hpp"
+#include "ljmd/detail/options/units.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

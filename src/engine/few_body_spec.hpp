@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "ljmd/detail/options/description.hpp"
+#include "ljmd/engine/stage.hpp"
+
+namespace ljmd {
+
+/// A body at its start, in the numbers that its force takes: lengths, or an angle or a distance.
+struct BodyStart {
+    double mass = 0.0;
+    std::vector<double> position;  ///< one to three components, as many for all bodies
+    std::vector<double> velocity;
+
+    void describe(Description& description);
+};
+
+/// What a run of few bodies in unbounded space is, as plain values in whatever units go together.
+struct FewBodySpec {
+    Choice force = {};                   ///< one of all_few_body_forces()
+    std::vector<BodyStart> bodies = {};  ///< at least one
+    std::vector<Stage> stages = {};
+    Index sample_every = 1;  ///< steps between samples of energy and momenta
+    std::vector<Choice> analyses = {};
+};
+
+}  // namespace ljmd
