@@ -5,10 +5,10 @@
 #   ljmd_program   what the program consists of, for it, its tests and the Python package; it is not installed
 #
 # BUILD_SHARED_LIBS decides whether the first two are shared. LJMD_FILES=OFF builds the first alone.
-set(ljmd_engine_rooms core options execution model reference potentials domain neighbors forces integrators observables
+set(ljmd_engine_rooms core options execution model reference potentials neighbors forces integrators observables
                       engine)
 set(ljmd_file_rooms io input deck run analyze)
-set(ljmd_program_rooms compare study report cli)
+set(ljmd_program_rooms compare judge study report cli)
 
 # ljmd_sources_of(<variable> <room>...): their sources, but for kernels and modules.
 function(ljmd_sources_of variable)

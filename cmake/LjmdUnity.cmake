@@ -14,7 +14,7 @@ function(ljmd_compile_together target)
     set(most 12)
     set(sources ${ARGN})
     list(FILTER sources EXCLUDE REGEX
-         "/src/(execution|model|domain|neighbors|forces|integrators|reference/equations)/|/tests/io/formats/|/compare/openmm/")
+         "/src/(execution|model|neighbors|forces|integrators|reference/equations)/|/tests/io/formats/|/compare/openmm/")
     set(folders "")
     foreach(source IN LISTS sources)
         get_filename_component(folder ${source} DIRECTORY)

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "domain/ghost_exchange.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/detail/model/state.hpp"
+#include "neighbors/ghost_exchange.hpp"
 
 namespace ljmd {
 

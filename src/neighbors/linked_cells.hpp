@@ -2,10 +2,10 @@
 
 #include <string_view>
 
-#include "domain/ghost_exchange.hpp"
 #include "ljmd/detail/model/state.hpp"
 #include "ljmd/detail/neighbors/search_statistics.hpp"
 #include "neighbors/cell_grid.hpp"
+#include "neighbors/ghost_exchange.hpp"
 #include "neighbors/pair_visit.hpp"
 
 namespace ljmd {

@@ -2,9 +2,9 @@
 #include <array>
 #include <string>
 
-#include "compare/judge/answer_reader.hpp"
-#include "compare/judge/judge.hpp"
 #include "fuzz_target.hpp"
+#include "judge/answer_reader.hpp"
+#include "judge/judge.hpp"
 #include "ljmd/core/errors.hpp"
 #include "model/velocities.hpp"
 

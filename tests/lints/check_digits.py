@@ -15,7 +15,7 @@ import sys
 import lint
 
 # What moves atoms, and what that is made of.
-ROOMS = re.compile(r"(?:src|include/ljmd(?:/detail)?)/(?:core/random|core/elementary|model/|potentials/|domain/|neighbors/|forces/|integrators/)")
+ROOMS = re.compile(r"(?:src|include/ljmd(?:/detail)?)/(?:core/random|core/elementary|model/|potentials/|neighbors/|forces/|integrators/)")
 ALLOWED = {
     "src/potentials/pair_table.cpp": "formulas of the calling program, which computes them as it likes",
     "src/potentials/second_virial.cpp": "a number of the equation of state, which moves no atom",

@@ -42,7 +42,7 @@ ALLOWED = {
     "src/io/files/process.cpp": "what a child process prints; callers are named here, and links are not followed",
     "src/cli/streams.cpp": "/dev/null in place of a stream that is closed",
     "src/compare/export.cpp": "a trajectory that grows where NamedOutput says",
-    "src/compare/judge/engine_command.cpp": "the log of an engine, whose place check_out() has looked at",
+    "src/judge/engine_command.cpp": "the log of an engine, whose place check_out() has looked at",
     "src/compare/lammps_peer.cpp": SCRATCH,
     "src/study/slurm_array.cpp": SCRATCH,
     "src/run/run_record.cpp": RUN,

@@ -26,28 +26,26 @@ from pathlib import Path
 import lint
 
 # From the ground up. A room may include every room that stands before it, but for those that it is kept from.
-ROOMS = ["core", "options", "execution", "model", "reference", "potentials", "domain", "neighbors", "forces", "integrators",
-         "observables", "engine", "io", "input", "deck", "run", "analyze", "compare", "study", "report", "python", "cli", "page"]
+ROOMS = ["core", "options", "execution", "model", "reference", "potentials", "neighbors", "forces", "integrators",
+         "observables", "engine", "io", "input", "deck", "run", "analyze", "compare", "judge", "study", "report", "python", "cli", "page"]
 KEPT_FROM = {
     "reference": {"execution", "model"},
     "potentials": {"execution", "reference"},
-    "domain": {"reference", "potentials"},
-    "neighbors": {"reference"},
+    "neighbors": {"reference", "potentials"},
     "forces": {"reference"},
-    "integrators": {"reference", "domain"},
-    "engine": {"domain"},
-    "io": {"reference", "domain", "engine"},
-    "input": {"reference", "domain", "engine"},
-    "python": {"compare", "study"},
+    "integrators": {"reference"},
+    "io": {"reference", "engine"},
+    "input": {"reference", "engine"},
+    "python": {"compare", "judge", "study"},
     "cli": {"python"},
-    "page": {"compare", "study", "report", "python", "cli"},
+    "page": {"compare", "judge", "study", "report", "python", "cli"},
 }
 ALLOWED = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
 
 # What programs include is no room: it leads to all that needs no file or process, and to runs with a directory.
 FRONTS = (Path("include/ljmd/engine.hpp"), Path("include/ljmd/ljmd.hpp"))
 
-PHYSICS = {"model", "potentials", "domain", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
+PHYSICS = {"model", "potentials", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
 
 ALLOWED["front"] = PHYSICS | {"core", "options", "execution", "deck", "run"}
 
@@ -183,8 +181,8 @@ SOUND = {
     "include/ljmd/model/b.hpp": '#pragma once\n#include "ljmd/detail/core/a.hpp"\n',
     "include/ljmd/forces/f.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n// #include "deck/x.hpp"\n',
     "src/core/a.cpp": '#include "ljmd/detail/core/a.hpp"\n#include "core/version.hpp"\n#ifdef __linux__\n#endif\n',
-    "src/domain/p.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n',
-    "src/forces/p.cpp": '#include "domain/p.hpp"\n',
+    "src/neighbors/p.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n',
+    "src/forces/p.cpp": '#include "neighbors/p.hpp"\n',
     "src/io/private.hpp": "#pragma once\n",
     "src/python/private.hpp": '#pragma once\n#include "io/private.hpp"\n',
     "src/io/h.cpp": '#include "io/private.hpp"\n',
@@ -195,8 +193,8 @@ SOUND = {
 VIOLATIONS = [
     ("include/ljmd/model/b.hpp", '#pragma once\n#include "ljmd/forces/f.hpp"\n', "model must not include forces"),
     ("src/core/a.cpp", '#include "ljmd/model/b.hpp"\n', "core must not include model"),
-    ("src/potentials/q.cpp", '#include "domain/p.hpp"\n', "potentials must not include domain"),
-    ("src/integrators/q.cpp", '#include "domain/p.hpp"\n', "integrators must not include domain"),
+    ("src/potentials/q.cpp", '#include "neighbors/p.hpp"\n', "potentials must not include neighbors"),
+    ("src/model/q.cpp", '#include "neighbors/p.hpp"\n', "model must not include neighbors"),
     ("src/reference/q.cpp", '#include "ljmd/model/b.hpp"\n', "reference must not include model"),
     ("src/io/q.cpp", '#include "../../../outside.hpp"\n', "is not in the tree"),
     ("src/io/q.cpp", '#include "private.hpp"\n', "is not in the tree"),
@@ -218,7 +216,7 @@ VIOLATIONS = [
     ("include/ljmd/all.hpp", "#pragma once\n", "in no room"),
     ("include/ljmd/ljmd.hpp", '#pragma once\n#include "io/private.hpp"\n', "is not installed"),
     ("include/ljmd/model/needless.hpp", "#pragma once\n", "no installed header needs it"),
-    ("src/domain/p.hpp", '#pragma once\n#include "domain/p.hpp"\n', "circle of includes"),
+    ("src/neighbors/p.hpp", '#pragma once\n#include "neighbors/p.hpp"\n', "circle of includes"),
 ]
 
 

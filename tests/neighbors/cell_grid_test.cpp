@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "domain/ghost_exchange.hpp"
 #include "ljmd/core/errors.hpp"
+#include "neighbors/ghost_exchange.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
