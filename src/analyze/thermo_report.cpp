@@ -16,7 +16,7 @@
 #include "deck/deck_system.hpp"
 #include "deck/fluid.hpp"
 #include "deck/sampled_steps.hpp"
-#include "engine/fluid_measurement.hpp"
+#include "engine/errors_to_reach.hpp"
 #include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/observables/statistics/run_averages.hpp"

@@ -24,9 +24,6 @@ namespace ljmd {
 
 namespace {
 
-/// The errors that a stage is to reach are shown each time the samples have grown by this share.
-constexpr Index shown_share = 64;
-
 /// Steps between checks of the atoms' speeds; a check costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
@@ -40,19 +37,8 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       sample_every_(spec.sample_every),
       averages_(fluid.state.total(), sampled_ensemble(spec.stages, spec.external != nullptr),
                 spec.external && spec.external->has_energy(), sampled_baths(spec.stages, spec.sample_every)),
-      too_near_(spec.potential),
-      analysed_edges_(fluid.state.box().edges()) {
-    for (Observer* observer : observers) {
-        add(*observer);
-    }
-}
-
-void FluidMeasurement::add(Observer& observer) {
-    if (std::ranges::find(observers_, &observer) != observers_.end()) {
-        throw InputError("this observer measures already: it would see everything twice");
-    }
-    observers_.push_back(&observer);
-}
+      analyses_(spec, fluid, observers),
+      too_near_(spec.potential) {}
 
 void FluidMeasurement::resume_at(const LoopPosition& position) {
     if (position.begun) {
@@ -68,26 +54,12 @@ void FluidMeasurement::archive(Archive& a) {
     a(fluid_.state);
     fluid_.force_field.archive(a, fluid_.state);
     a.mark("averages");
-    a(averages_, too_near_, errors_reached_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_,
+    a(averages_, too_near_, until_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_,
       force_before_, search_before_);
     if (watch_) {
         a(*watch_);
     }
-    a.mark("analyses");
-    for (const auto& analysis : fluid_.analyses) {
-        analysis->archive(a);
-    }
-    std::size_t observers = observers_.size();
-    a(observers);
-    if (observers != observers_.size()) {
-        throw CheckpointError(
-            fmt::format("the checkpoint has {} observers of the program that wrote it, and {} are there: it is resumed "
-                        "by that program, with the same observers",
-                        observers, observers_.size()));
-    }
-    for (Observer* observer : observers_) {
-        observer->archive(a);
-    }
+    analyses_.archive(a);
 }
 
 void FluidMeasurement::require_begun(const LoopPosition& position) const {
@@ -145,26 +117,7 @@ void FluidMeasurement::put_row(const Thermodynamics& values) {
 
 void FluidMeasurement::sample(const Evaluation& evaluation, bool always) {
     external_differs_ = external_differs_ || fluid_.force_field.external_differs();
-    const Index step = fluid_.state.step;
-    const auto is_wanted = [=](const auto& each) { return always || each->due(step); };
-    const auto is_needed = [=](const Observer* each) { return always || each->needs(step); };
-    if (std::ranges::none_of(fluid_.analyses, is_wanted) && std::ranges::none_of(observers_, is_needed)) {
-        return;
-    }
-    look_at_all_atoms(fluid_.state, [&](const State& state) {
-        for (const auto& analysis : fluid_.analyses) {
-            if (is_wanted(analysis)) {
-                analysis->sample(state, evaluation);
-            }
-        }
-        const bool known = always || wants_energy(step);
-        const Snapshot snapshot(state, fluid_.tail, known ? std::optional(evaluation) : std::nullopt);
-        for (Observer* observer : observers_) {
-            if (is_needed(observer)) {
-                observer->sample(snapshot);
-            }
-        }
-    });
+    analyses_.sample(evaluation, always || wants_energy(fluid_.state.step), always);
 }
 
 void FluidMeasurement::stage_begins(const Stage& stage) {
@@ -174,54 +127,20 @@ void FluidMeasurement::stage_begins(const Stage& stage) {
         order_at_sampling_ = order();
     }
     begin_to_watch(stage);
-    const bool unused = std::ranges::all_of(fluid_.analyses, [](const auto& each) { return each->samples() == 0; });
-    if (stage.sample && unused && state.box().edges() != analysed_edges_) {
-        adapt_analyses();
-    }
-    for (const auto& analysis : fluid_.analyses) {
-        analysis->interrupt();
-    }
-    for (Observer* observer : observers_) {
-        observer->interrupt();
-    }
+    analyses_.stage_begins(stage);
     drift_ = {};
     step_error_ = {};
     stages_.push_back(begun_stage(stage, state, stage.thermostat.has_value()));
 }
 
-/// A barostat has changed the box since the analyses were made, which have no samples yet. Those that have some do not
-/// depend on the box: with others no stage with a barostat may come after the first sampled one.
-void FluidMeasurement::adapt_analyses() {
-    const State& state = fluid_.state;
-    const std::vector<Mistake> wrong = box_mistakes(spec_, state.total(), state.box());
-    if (!wrong.empty()) {
-        throw PhysicsError(fmt::format("in the box that the barostat has made: {}", in_words(wrong.front())));
-    }
-    fluid_.analyses = make_analyses(spec_, state);
-    analysed_edges_ = state.box().edges();
-}
-
 bool FluidMeasurement::wants_energy(Index step) const {
-    if (sample_every_.due(step)) {
-        return true;
-    }
-    return sampling_ && (std::ranges::any_of(fluid_.analyses,
-                                             [step](const auto& analysis) {
-                                                 return analysis->needs_energy() && analysis->due(step);
-                                             }) ||
-                         std::ranges::any_of(observers_, [step](const Observer* observer) {
-                             return observer->needs_energy() && observer->needs(step);
-                         }));
+    return sample_every_.due(step) || (sampling_ && analyses_.want_energy(step));
 }
 
 bool FluidMeasurement::reads_velocities(Index step_of_stage) const {
     const State& state = fluid_.state;
-    if (step_of_stage % steps_between_looks == 0 || sample_every_.due(state.step) || outputs_.frame_is_due(state)) {
-        return true;
-    }
-    const auto due = [&state](const auto& analysis) { return analysis->due(state.step); };
-    const auto needs = [&state](const Observer* observer) { return observer->needs(state.step); };
-    return sampling_ && (std::ranges::any_of(fluid_.analyses, due) || std::ranges::any_of(observers_, needs));
+    return step_of_stage % steps_between_looks == 0 || sample_every_.due(state.step) || outputs_.frame_is_due(state) ||
+           (sampling_ && analyses_.are_due(state.step));
 }
 
 void FluidMeasurement::moved(Index step_of_stage) {
@@ -256,54 +175,10 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
     outputs_.step_done(state.step);
 }
 
-std::vector<ErrorSoFar> FluidMeasurement::errors_of(const Stage& stage) const {
-    std::vector<ErrorSoFar> errors;
-    errors.reserve(stage.until.size());
-    const std::vector<ObservableAverage> averages = averages_.averages();
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const WantedError& wanted : stage.until) {
-        const auto found = std::ranges::find(averages, wanted.observable, &ObservableAverage::name);
-        if (found == averages.end() || !found->estimate) {
-            errors.push_back({wanted, nan, nan, false});
-        } else {
-            const Estimate estimate = stopped_estimate(*found->estimate);
-            errors.push_back(
-                {wanted, estimate.standard_error, estimate.independent_samples, is_reached(estimate, wanted.error)});
-        }
-    }
-    return errors;
-}
-
-/// The last step of a stage is looked at, too: its number was chosen before.
 bool FluidMeasurement::has_enough(const Stage& stage) {
-    if (stage.until.empty() || errors_reached_) {
-        return false;
-    }
-    const Index samples = averages_.samples();
-    const bool is_last = fluid_.state.step == stages_.back().first_step + stage.steps;
-    const bool look = is_last || (sample_every_.due(fluid_.state.step) && is_look(samples));
-    const bool show = sample_every_.due(fluid_.state.step) && samples % std::max<Index>(1, samples / shown_share) == 0;
-    if (!look && !show) {
-        return false;
-    }
-    const std::vector<ErrorSoFar> errors = errors_of(stage);
-    outputs_.errors(errors);
-    errors_reached_ = look && std::ranges::all_of(errors, &ErrorSoFar::reached);
-    return errors_reached_;
-}
-
-/// The errors that decided the length are known less well than errors of a length that was chosen before, see
-/// stopped_estimate().
-void FluidMeasurement::widen_errors(RunResult& result) const {
-    const Stage& stage = spec_.stages.back();
-    if (stage.until.empty() || stages_.size() < spec_.stages.size()) {
-        return;
-    }
-    result.stages.back().until = {errors_of(stage), stage.steps, errors_reached_};
-    widen_wanted(result.averages, stage.until);
-    if (result.at_requested) {
-        widen_wanted(result.at_requested->observables, stage.until);
-    }
+    const Index step = fluid_.state.step;
+    const bool is_last = step == stages_.back().first_step + stage.steps;
+    return until_.reached(stage, averages_, sample_every_.due(step), is_last, outputs_);
 }
 
 void FluidMeasurement::stage_ends(const Stage& /*stage*/) {
@@ -353,11 +228,10 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     if (averages_.samples() > 0) {
         result.at_requested = at_requested_temperature(spec_, density(), averages_);
     }
-    widen_errors(result);
-    for (const auto& analysis : fluid_.analyses) {
-        std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
-        std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
+    if (stages_.size() == spec_.stages.size()) {
+        until_.add_to(result, spec_.stages.back(), averages_);
     }
+    analyses_.add_to(result);
     mark_slow_exchange(result.averages);
     withhold_slow_responses(result.averages);
     if (external_differs_) {
@@ -368,23 +242,10 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
             spec_.external ? std::nullopt : diffusion_in_infinite_system(result.averages, state.box())) {
         result.averages.push_back(*infinite);
     }
-    for (const Observer* observer : observers_) {
-        if (auto average = observer->average()) {
-            average->own = true;
-            result.averages.push_back(std::move(*average));
-        }
-    }
+    analyses_.add_observed_to(result);
     result.too_near = too_near_.remark();
     add_remarks(result, spec_);
     return result;
-}
-
-void widen_wanted(std::vector<ObservableAverage>& averages, const std::vector<WantedError>& wanted) {
-    for (ObservableAverage& average : averages) {
-        if (average.estimate && std::ranges::find(wanted, average.name, &WantedError::observable) != wanted.end()) {
-            average.estimate = stopped_estimate(*average.estimate);
-        }
-    }
 }
 
 }  // namespace ljmd

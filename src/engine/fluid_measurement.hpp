@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "core/schedule.hpp"
+#include "engine/errors_to_reach.hpp"
 #include "engine/fluid_system.hpp"
 #include "engine/run_measurement.hpp"
+#include "engine/sampled_analyses.hpp"
 #include "engine/stability.hpp"
 #include "ljmd/detail/engine/run_outputs.hpp"
 #include "ljmd/detail/engine/time_loop.hpp"
@@ -31,9 +33,8 @@ class FluidMeasurement : public RunMeasurement {
     void archive(Archive& a) override;
     void require_begun(const LoopPosition& position) const override;
 
-    /// Let an observer measure from now on. It must live as long as this. @throws InputError if it does already
-    void add(Observer& observer);
-    [[nodiscard]] const std::vector<Observer*>& observers() const { return observers_; }
+    /// Analyses and observers; more of these may be added.
+    [[nodiscard]] SampledAnalyses& analyses() { return analyses_; }
 
     /// The results so far. @param loop  wall time of the time loop
     [[nodiscard]] RunResult result(const LoopSeconds& loop) const;
@@ -53,9 +54,6 @@ class FluidMeasurement : public RunMeasurement {
   private:
     void begin_to_watch(const Stage& stage);
     void complete(StageResult& stage) const;
-    void adapt_analyses();
-    [[nodiscard]] std::vector<ErrorSoFar> errors_of(const Stage& stage) const;
-    void widen_errors(RunResult& result) const;
     void put_row(const Thermodynamics& values);
     void sample(const Evaluation& evaluation, bool always);
     [[nodiscard]] double density() const {
@@ -70,17 +68,16 @@ class FluidMeasurement : public RunMeasurement {
     const FluidSpec& spec_;
     FluidSystem& fluid_;
     RunOutputs& outputs_;
-    std::vector<Observer*> observers_;
     Every sample_every_;
     RunAverages averages_;
+    SampledAnalyses analyses_;
+    ErrorsToReach until_;
     PairsTooNear too_near_;
     std::optional<double> order_at_sampling_;
-    bool errors_reached_ = false;          ///< those that the last stage was to reach
     std::optional<StabilityWatch> watch_;  ///< for the current stage
     bool sampling_ = false;                ///< the current stage is sampled
     bool conserves_energy_ = true;         ///< the current stage has a conserved energy
     bool external_differs_ = false;        ///< the external force did between atoms, in sampled stages
-    Vec3 analysed_edges_;                  ///< edges of the box that the analyses were made for
     Thermodynamics first_;
     Thermodynamics last_;
     LinearTrend drift_;         ///< of the conserved energy per atom in the current stage
@@ -90,8 +87,5 @@ class FluidMeasurement : public RunMeasurement {
     double force_before_ = 0.0;       ///< seconds spent by the force field
     SearchStatistics search_before_;  ///< and by its search before the time loop
 };
-
-/// The averages of a run that `until` has ended: those whose errors were wanted have the error of stopped_estimate().
-void widen_wanted(std::vector<ObservableAverage>& averages, const std::vector<WantedError>& wanted);
 
 }  // namespace ljmd

@@ -117,7 +117,7 @@ struct Simulation::Parts {
         }
         fluid = empty_fluid(spec, fluid.state.total(), Box(edges), fluid.state.execution());
         rows.all.clear();
-        const std::vector<Observer*> observers = measurement->observers();
+        const std::vector<Observer*> observers = measurement->analyses().observers();
         measurement.emplace(spec, fluid, rows, observers);
         if (position) {
             measurement->resume_at(*position);
@@ -154,7 +154,7 @@ Simulation::Parts& Simulation::parts() const {
 }
 
 void Simulation::add(Observer& observer) {
-    parts().measurement->add(observer);
+    parts().measurement->analyses().add(observer);
 }
 
 RunResult Simulation::run() {
