@@ -10,12 +10,15 @@ from docutils import nodes
 from sphinx import addnodes
 
 SCRIPT = "page_texts.js"
-HIDDEN = (nodes.math, nodes.math_block, nodes.comment, nodes.raw, nodes.system_message, addnodes.desc_parameterlist)
+FORMULAS = (nodes.math, nodes.math_block)
+HIDDEN = (nodes.comment, nodes.raw, nodes.system_message, addnodes.desc_parameterlist)
 
 
 def words(node) -> str:
     if isinstance(node, nodes.Text):
         return node.astext()
+    if isinstance(node, FORMULAS):
+        return " \u2026 "
     if isinstance(node, HIDDEN):
         return " "
     gap = "" if isinstance(node, nodes.TextElement) else " "
