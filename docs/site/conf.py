@@ -16,8 +16,8 @@ root_doc = "index"
 language = "en"
 exclude_patterns = ["site/*.py", "**/__pycache__", "paper"]  # the paper is for a journal
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "folders", "furo_of_debian", "mathml", "notebook_pages", "python_docstrings",
-              "repository_files"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "code_lines", "doi_links", "folders", "furo_of_debian", "mathml",
+              "menu_groups", "notebook_pages", "python_docstrings", "repository_files", "search_texts"]
 
 # Markdown: formulas between dollars, links to headings.
 source_suffix = {".md": "markdown"}
@@ -44,6 +44,7 @@ html_theme = "furo"
 html_title = "ljmd"
 html_static_path = ["_static"]
 html_css_files = ["ljmd.css"]
+html_search_scorer = str(HERE / "search_scorer.js")
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"

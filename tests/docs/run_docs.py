@@ -12,8 +12,9 @@ Usage: run_docs.py --ljmd PROGRAM --source ROOT [--python-path FOLDER] [--quick]
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
-- Links to files of the repository must lead somewhere, and files that are named in backquotes, or as the script of a line in a
-  block ```sh, must be there (`*` stands for anything; names with a <place holder> are left alone).
+- Links to files of the repository must lead somewhere, and their text must not be the name of a page, as in `[x.md](x.md)`.
+- Files that are named in backquotes, or as the script of a line in a block ```sh, must be there (`*` stands for anything; names with a
+  <place holder> are left alone).
 
 --quick: of the commands only those of README.md.
 """
@@ -70,6 +71,8 @@ def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path, 
 
 
 def check_links(path: pathlib.Path) -> None:
+    for text in re.findall(r"\[([\w./-]+\.md)\]\(", path.read_text(encoding="utf-8")):
+        check(f"{path.name}: the link [{text}] tells a reader where it leads", False)
     for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
         if "://" not in target:
             check(f"{path.name}: link to {target}", (path.parent / target).exists())

@@ -1,7 +1,10 @@
-"""The documentation site: built without warning, every link inside it leads somewhere, and its search knows its words.
+"""The documentation site: built without warning, every link inside it leads somewhere, its search knows its words and shows them, and
+what stands in boxes fits.
 """
 
+import html
 import html.parser
+import json
 import os
 import pathlib
 import re
@@ -12,6 +15,7 @@ import tempfile
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+WIDTH = 117  # characters in a box of a window of 1280 pixels
 
 
 class Page(html.parser.HTMLParser):
@@ -54,6 +58,25 @@ def check_search(site: pathlib.Path) -> None:
         assert re.search(rf"\b{word}\b", index), f"the search does not know {word}"
     for name in ("run_in_directory", "to_dataframe"):
         assert name in index, f"the search does not know {name}"
+    texts = json.loads((site / "_static/page_texts.js").read_text(encoding="utf-8").removeprefix("const PAGE_TEXTS = ").rstrip(";\n"))
+    headings = {heading: text for _, heading, text in texts["structure"]}
+    assert "coordination number" in headings["Radial distribution"], "the search has no text for its excerpts"
+
+
+def check_boxes(site: pathlib.Path) -> None:
+    """Tables and drawings in boxes are not wrapped; code is."""
+    for path in sorted(site.rglob("*.html")):
+        page = path.read_text(encoding="utf-8")
+        for box in [] if "files" in path.relative_to(site).parts else re.findall(r'<div class="highlight-(?:text|none) .*?</pre>', page, re.S):
+            for line in html.unescape(re.sub(r"<[^>]*>", "", box)).splitlines():
+                assert len(line) <= WIDTH, f"{path.relative_to(site)}: wider than the page: {line}"
+
+
+def check_formulas(site: pathlib.Path) -> None:
+    """No page has a formula as it was typed."""
+    for path in sorted(site.glob("*.html")):
+        text = re.sub(r"<pre>.*?</pre>|<code.*?</code>", "", path.read_text(encoding="utf-8"), flags=re.S)
+        assert not re.search(r"\$\\?[A-Za-z]", text), f"{path.name}: a formula is shown as text"
 
 
 def main() -> int:
@@ -69,6 +92,8 @@ def main() -> int:
         assert done.stderr == "", done.stderr
         print(f"{check_links(site)} links inside the site lead somewhere")
         check_search(site)
+        check_boxes(site)
+        check_formulas(site)
     return 0
 
 
