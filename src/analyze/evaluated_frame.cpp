@@ -10,7 +10,7 @@
 #include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "engine/fluid_system.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "forces/atom_energies.hpp"
 #include "io/formats/configuration_reader.hpp"
 #include "ljmd/core/errors.hpp"

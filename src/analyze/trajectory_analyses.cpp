@@ -8,7 +8,7 @@
 #include "core/text.hpp"
 #include "deck/fluid.hpp"
 #include "deck/tables/fluid_tables.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "input/deck_file.hpp"
 #include "input/deck_setting.hpp"
 #include "ljmd/core/errors.hpp"

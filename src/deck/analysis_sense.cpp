@@ -6,7 +6,7 @@
 
 #include "deck/deck_stages.hpp"
 #include "deck/mistake_report.hpp"
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 #include "integrators/thermostat.hpp"
 #include "ljmd/detail/observables/analysis.hpp"
 

@@ -9,7 +9,7 @@
 #include "deck/fluid.hpp"
 #include "deck/mistake_report.hpp"
 #include "deck/stage_sense.hpp"
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 #include "model/box_for_cutoff.hpp"

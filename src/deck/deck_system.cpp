@@ -1,7 +1,7 @@
 #include "deck/deck_system.hpp"
 
 #include "engine/few_body_system.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {

@@ -4,7 +4,7 @@
 
 #include "deck/tables/few_body_tables.hpp"
 #include "deck/tables/fluid_tables.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "ljmd/detail/options/diagnostics.hpp"
 
 namespace ljmd {

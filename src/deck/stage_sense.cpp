@@ -7,7 +7,7 @@
 
 #include "deck/deck_stages.hpp"
 #include "deck/mistake_report.hpp"
-#include "engine/until_mistakes.hpp"
+#include "engine/mistakes/until_mistakes.hpp"
 #include "integrators/thermostat.hpp"
 
 namespace ljmd {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "forces/atom_energies.hpp"
 #include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"

@@ -9,7 +9,7 @@
 
 #include "core/stopwatch.hpp"
 #include "core/text.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "engine/result_doubts.hpp"
 #include "ljmd/core/errors.hpp"
 #include "model/all_atoms.hpp"

@@ -8,9 +8,9 @@
 #include <iterator>
 #include <set>
 
-#include "engine/film_mistakes.hpp"
-#include "engine/mistakes.hpp"
-#include "engine/until_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
+#include "engine/mistakes/until_mistakes.hpp"
 #include "integrators/barostat.hpp"
 #include "integrators/thermostat.hpp"
 #include "ljmd/core/errors.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 #include "execution/first_touch.hpp"
 #include "execution/ranks.hpp"
 #include "integrators/relaxation.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/at_temperature.hpp"
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 #include "ljmd/core/errors.hpp"
 #include "reference/equation_doubts.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "ljmd/core/errors.hpp"
 #include "model/all_atoms.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/until_mistakes.hpp"
+#include "engine/mistakes/until_mistakes.hpp"
 #include "integrators/barostat.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/thermostat.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <mutex>
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "execution/threads.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/configuration_evaluator.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "deck/fluid.hpp"
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 #include "io/files/input_file.hpp"
 #include "io/tables/data_table_csv.hpp"
 #include "ljmd/core/errors.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/engine_fixtures.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/engine/requested_temperature.hpp"
 #include "model/velocities.hpp"

@@ -5,7 +5,7 @@
 
 #include "engine/engine_fixtures.hpp"
 #include "engine/fluid_system.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "execution/test_execution.hpp"
 #include "forces/made_external_force.hpp"
 #include "integrators/integrator.hpp"

@@ -13,7 +13,7 @@
 #include "deck/deck_execution.hpp"
 #include "deck/deck_system.hpp"
 #include "deck/fluid.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "execution/threads.hpp"
 #include "io/files/input_file.hpp"
 #include "io/files/output_file.hpp"

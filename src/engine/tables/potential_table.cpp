@@ -1,6 +1,6 @@
 #include "engine/tables/potential_table.hpp"
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 
 namespace ljmd {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/film_mistakes.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 
 namespace ljmd {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "io/files/shell_word.hpp"
 #include "io/tables/json_file.hpp"
 #include "io/tables/pair_table_file.hpp"

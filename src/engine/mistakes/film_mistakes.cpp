@@ -1,10 +1,10 @@
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "engine/keys_of_mistakes.hpp"
+#include "engine/mistakes/keys_of_mistakes.hpp"
 namespace ljmd {
 
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "engine/keys_of_mistakes.hpp"
+#include "engine/mistakes/keys_of_mistakes.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/thermostat.hpp"
 #include "neighbors/pair_search.hpp"

@@ -1,4 +1,4 @@
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 
 #include <catch2/catch.hpp>
 

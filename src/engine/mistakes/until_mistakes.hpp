@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 #include "ljmd/detail/options/units.hpp"
 #include "ljmd/engine/stage.hpp"
 

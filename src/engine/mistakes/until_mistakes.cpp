@@ -1,4 +1,4 @@
-#include "engine/until_mistakes.hpp"
+#include "engine/mistakes/until_mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "engine/keys_of_mistakes.hpp"
+#include "engine/mistakes/keys_of_mistakes.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
 namespace ljmd {

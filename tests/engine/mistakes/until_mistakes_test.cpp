@@ -1,4 +1,4 @@
-#include "engine/until_mistakes.hpp"
+#include "engine/mistakes/until_mistakes.hpp"
 
 #include <catch2/catch.hpp>
 

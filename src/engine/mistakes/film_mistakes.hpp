@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/mistakes.hpp"
+#include "engine/mistakes/mistakes.hpp"
 
 namespace ljmd {
 

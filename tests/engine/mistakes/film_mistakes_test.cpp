@@ -1,4 +1,4 @@
-#include "engine/film_mistakes.hpp"
+#include "engine/mistakes/film_mistakes.hpp"
 
 #include <catch2/catch.hpp>
 
