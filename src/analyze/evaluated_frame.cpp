@@ -174,7 +174,7 @@ std::string interaction_in_words(const FluidSpec& spec) {
     }
     words += fmt::format("{} truncation '{}', cutoff {:g} sigma", potential.parameters().empty() ? "," : "",
                          potential.truncation(), potential.cutoff().radius);
-    if (potential.truncation() == "switched") {
+    if (PairPotential::takes_switch_start(potential.truncation())) {
         words += fmt::format(", switched from {:g}", potential.cutoff().switch_start);
     }
     return words + (spec.has_tail() ? ", with tail corrections" : ", no tail corrections");
@@ -194,7 +194,7 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     for (const auto& [name, value] : spec.potential.parameters()) {
         parameters[name] = value;
     }
-    const bool switched = spec.potential.truncation() == "switched";
+    const bool switched = PairPotential::takes_switch_start(spec.potential.truncation());
     Data all_forces = Data::list();
     for (const Index i : state.index_of()) {
         all_forces.push_back(vector_data(forces.col(i)));

@@ -137,7 +137,7 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
         return fmt::format("needs the interaction, but the cutoff of the deck, {}, is more than half the box, {:.6g}",
                            run.interaction->potential.cutoff().radius, largest);
     }
-    if (needs.continuous_potential && has_step(run.interaction->potential.truncation())) {
+    if (needs.continuous_potential && PairPotential::energy_jumps(run.interaction->potential.truncation())) {
         return fmt::format("needs a continuous potential: {}", step_in_words(run.interaction->potential.truncation()));
     }
     if (needs.constant_energy && run.held_temperature) {

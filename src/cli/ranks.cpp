@@ -12,6 +12,7 @@
 #include "execution/launched_ranks.hpp"
 #include "execution/mpi_module.hpp"
 #include "execution/rank_agreement.hpp"
+#include "integrators/integrator.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/run/interruption.hpp"
 #include "model/checksum.hpp"
@@ -35,7 +36,7 @@ std::string unshareable(const Deck& deck) {
                            VerletList::name);
     }
     for (const Stage& stage : deck.stages()) {
-        if (stage.integrator.name == "prince-dormand") {
+        if (find_integrator(stage.integrator.name).adaptive) {
             return fmt::format("has the integrator {}, which one process computes", stage.integrator.name);
         }
     }

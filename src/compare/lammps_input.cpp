@@ -137,8 +137,9 @@ std::string lammps_pair_style(const PairPotential& potential) {
     const PairStyle& style = pair_style_of(potential);
     const Cutoff& cutoff = potential.cutoff();
     std::string text = fmt::format("pair_style {} ", style.style);
-    text += potential.truncation() == "switched" ? fmt::format("{} {}\n", cutoff.switch_start, cutoff.radius)
-                                                 : fmt::format("{}\n", cutoff.radius);
+    text += PairPotential::takes_switch_start(potential.truncation())
+                ? fmt::format("{} {}\n", cutoff.switch_start, cutoff.radius)
+                : fmt::format("{}\n", cutoff.radius);
     text += fmt::format("pair_coeff * * {}\n", coefficients(potential));
     if (!style.modify.empty()) {
         text += fmt::format("pair_modify {}\n", style.modify);

@@ -6,6 +6,7 @@
 
 #include "deck/fluid.hpp"
 #include "ljmd/detail/engine/requested_temperature.hpp"
+#include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/detail/reference/freezing.hpp"
 
 namespace ljmd {
@@ -25,8 +26,8 @@ void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     if (!densities || density <= densities->freezing) {
         return;
     }
-    const bool of_crystal =
-        std::ranges::any_of(spec.analyses, [](const Choice& analysis) { return analysis.name == "crystal"; });
+    const bool of_crystal = std::ranges::any_of(
+        spec.analyses, [](const Choice& analysis) { return find_analysis(analysis.name).of_crystal; });
     if (of_crystal && density >= densities->melting) {
         return;  // the deck wants the crystal, which is stable
     }

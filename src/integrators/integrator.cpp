@@ -25,6 +25,16 @@ std::function<std::unique_ptr<IntegratorOptions>()> without_options(const std::f
     return [scheme] { return std::make_unique<SchemeAlone>(scheme); };
 }
 
+std::vector<std::string> integrators_with_thermostat() {
+    std::vector<std::string> names;
+    for (const IntegratorMethod& method : all_integrators()) {
+        if (method.takes_thermostat) {
+            names.push_back(method.name);
+        }
+    }
+    return names;
+}
+
 IntegratorMethod find_integrator(const std::string& name) {
     return find_plugin(all_integrators(), name, "integrator");
 }

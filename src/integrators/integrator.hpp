@@ -46,7 +46,8 @@ struct IntegratorMethod {
     int order;              ///< of its global error, with its default options: halving the step divides it by 2^order
     bool reversible;        ///< returns to its start, to rounding, when velocities are reversed
     bool adaptive = false;  ///< chooses steps of its own within the time step; the error hardly depends on the latter
-    bool unbounded_only = false;  ///< for systems without a box
+    bool unbounded_only = false;    ///< for systems without a box
+    bool takes_thermostat = false;  ///< thermostats may act within or around every step
     std::function<std::unique_ptr<IntegratorOptions>()>
         options;  ///< at their defaults; keys of a stage that selects it
 };
@@ -55,6 +56,9 @@ using ChosenIntegrator = Chosen<IntegratorMethod, IntegratorOptions>;
 
 /// Every integrator there is, in alphabetical order.
 [[nodiscard]] std::vector<IntegratorMethod> all_integrators();
+
+/// The names of those that take a thermostat.
+[[nodiscard]] std::vector<std::string> integrators_with_thermostat();
 
 /// @throws InputError for an unknown name
 [[nodiscard]] IntegratorMethod find_integrator(const std::string& name);

@@ -66,7 +66,7 @@ struct ThermostatMethod {
     std::string meaning;
     bool canonical;           ///< samples the canonical ensemble (of a fluid at a temperature above 0)
     bool conserves_momentum;  ///< if not, the centre of mass moves thermally, as a particle of its mass
-    bool every_step;          ///< acts within or around every step; only velocity Verlet can be combined with it
+    bool every_step;          ///< acts within or around every step, see IntegratorMethod::takes_thermostat
     bool deterministic;       ///< draws no random numbers
     std::function<std::unique_ptr<ThermostatOptions>()> options;  ///< at their defaults
 };

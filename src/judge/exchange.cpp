@@ -48,7 +48,7 @@ Data potential_data(const Problem& problem) {
                  {"parameters", parameters},
                  {"truncation", potential.truncation()},
                  {"cutoff", potential.cutoff().radius}};
-    if (potential.truncation() == "switched") {
+    if (PairPotential::takes_switch_start(potential.truncation())) {
         data["switch_start"] = potential.cutoff().switch_start;
     }
     data["in_words"] = in_words(potential, problem.fluid.tail);

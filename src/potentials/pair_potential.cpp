@@ -26,6 +26,16 @@ void for_each_formula(FormulaList<Formulas...>, const F& f) {
 /// Any formula would do to list the truncations.
 using SomeFormula = LennardJones;
 
+/// Whether a truncation has a trait, which is told by its type. False for unknown names.
+template <class Trait>
+bool holds_for(const std::string& truncation, const Trait& trait) {
+    bool holds = false;
+    detail::for_each_truncation<SomeFormula>([&](const auto* type) {
+        holds = holds || (detail::Pointee<decltype(type)>::name == truncation && trait(type));
+    });
+    return holds;
+}
+
 template <class Formula>
 std::vector<Key> keys_of_formula(Formula formula) {
     Description description;
@@ -151,13 +161,16 @@ void PairPotential::describe_truncation(const std::string& name, Description& de
     });
 }
 
-bool PairPotential::takes_tail(const std::string& name) {
-    bool takes = false;
-    detail::for_each_truncation<SomeFormula>([&](const auto* type) {
-        using Truncated = detail::Pointee<decltype(type)>;
-        takes = takes || (Truncated::name == name && Truncated::takes_tail);
-    });
-    return takes;
+bool PairPotential::takes_tail(const std::string& truncation) {
+    return holds_for(truncation, []<class Truncated>(const Truncated*) { return Truncated::takes_tail; });
+}
+
+bool PairPotential::takes_switch_start(const std::string& truncation) {
+    return holds_for(truncation, []<class Truncated>(const Truncated*) { return Truncated::takes_switch_start; });
+}
+
+bool PairPotential::energy_jumps(const std::string& truncation) {
+    return holds_for(truncation, []<class Truncated>(const Truncated*) { return Truncated::energy_jumps; });
 }
 
 PairTerm<double> PairPotential::operator()(double r) const {

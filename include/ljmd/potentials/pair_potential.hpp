@@ -108,6 +108,13 @@ class PairPotential {
     /// True if a tail correction with g = 1 makes sense: for `cut` and `switched`.
     [[nodiscard]] static bool takes_tail(const std::string& truncation);
 
+    /// Whether a truncation begins before the cutoff, at Cutoff::switch_start. False for unknown names.
+    [[nodiscard]] static bool takes_switch_start(const std::string& truncation);
+
+    /// Whether the energy of a pair jumps at the cutoff, by impulses that are missing in the forces. False for unknown
+    /// names.
+    [[nodiscard]] static bool energy_jumps(const std::string& truncation);
+
     [[nodiscard]] const std::string& formula() const { return formula_; }
     [[nodiscard]] const std::string& truncation() const { return truncation_; }
     [[nodiscard]] const Cutoff& cutoff() const { return cutoff_; }

@@ -87,13 +87,13 @@ Interacting of_options(const EvaluateOptions& options) {
     if (options.tail.empty() && PairPotential::takes_tail(options.truncation)) {
         missing.emplace_back("--tail");
     }
-    if (options.truncation == "switched" && !options.switch_start) {
+    if (PairPotential::takes_switch_start(options.truncation) && !options.switch_start) {
         missing.emplace_back("--switch-start");
     }
     if (!missing.empty()) {
         throw InputError(fmt::format("the potential is not known: give {}, or a --deck", fmt::join(missing, ", ")));
     }
-    if (options.switch_start && options.truncation != "switched") {
+    if (options.switch_start && !PairPotential::takes_switch_start(options.truncation)) {
         throw InputError(
             fmt::format("--switch-start has no meaning for --truncation {}: only for switched", options.truncation));
     }

@@ -61,10 +61,10 @@ std::vector<Mistake> judged(const std::vector<Stage>& stages, const Judge& judge
 void judge_thermostat(const Stage& stage, Mistakes& found) {
     const ThermostatMethod thermostat = find_thermostat(stage.thermostat->name);
     const std::string& integrator = stage.integrator.name;
-    if (thermostat.every_step && integrator != "velocity-verlet") {
+    if (thermostat.every_step && !find_integrator(integrator).takes_thermostat) {
         found.add({type_key(&Stage::thermostat), key(&Stage::integrator)},
-                  fmt::format("the thermostat {} is a part of the steps of velocity-verlet; the integrator is {}",
-                              thermostat.name, integrator));
+                  fmt::format("the thermostat {} is a part of the steps of {}; the integrator is {}", thermostat.name,
+                              fmt::join(integrators_with_thermostat(), " or "), integrator));
     }
     const bool finite = stage.temperature && std::isfinite(*stage.temperature);
     if (thermostat.canonical && !(finite && *stage.temperature > 0.0)) {
@@ -230,13 +230,13 @@ std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cut
     if (!(cutoff.radius >= min_cutoff && std::isfinite(cutoff.radius))) {
         found.add({potential_key(&PotentialTable::radius)},
                   fmt::format("the cutoff is {}, it must be at least {}", cutoff.radius, min_cutoff));
-    } else if (truncation == "switched" && !(cutoff.switch_start > 0.0)) {
+    } else if (PairPotential::takes_switch_start(truncation) && !(cutoff.switch_start > 0.0)) {
         found.add({potential_key(&PotentialTable::switch_start)},
                   fmt::format("the switch starts at {}, it must be above 0", cutoff.switch_start));
-    } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {
+    } else if (PairPotential::takes_switch_start(truncation) && !(cutoff.switch_start < cutoff.radius)) {
         found.add_of_key({potential_key(&PotentialTable::switch_start), potential_key(&PotentialTable::radius)},
                          fmt::format("is {}, not below the cutoff {}", cutoff.switch_start, cutoff.radius));
-    } else if (truncation != "switched" && cutoff.switch_start != 0.0) {
+    } else if (!PairPotential::takes_switch_start(truncation) && cutoff.switch_start != 0.0) {
         found.add_of_key({potential_key(&PotentialTable::switch_start), potential_key(&PotentialTable::truncation)},
                          meaningless, "only \"switched\" begins before the cutoff");
     }
@@ -335,10 +335,6 @@ std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses, cons
     });
 }
 
-bool has_step(const std::string& truncation) {
-    return truncation == "cut";
-}
-
 std::string step_in_words(const std::string& truncation) {
     return fmt::format(
         "truncation = \"{}\" has a step at the cutoff, whose impulses are missing in the forces; continuous are "
@@ -351,7 +347,7 @@ std::vector<Mistake> analysis_need_mistakes(const std::vector<Choice>& analyses,
     std::vector<Mistake> all;
     for (const Choice& analysis : analyses) {
         const AnalysisNeeds needs = find_analysis(analysis.name).needs;
-        if (needs.continuous_potential && has_step(truncation)) {
+        if (needs.continuous_potential && PairPotential::energy_jumps(truncation)) {
             Mistakes found("potential");
             found.add({potential_key(&PotentialTable::truncation)},
                       fmt::format("the analysis {} needs a continuous potential: {}", analysis.name,

@@ -63,9 +63,6 @@ struct Mistake {
 [[nodiscard]] std::vector<Mistake> sampling_mistakes(const std::vector<Choice>& analyses,
                                                      const std::vector<Stage>& stages);
 
-/// Whether a truncated potential has a step at the cutoff. Its impulses are missing in the forces.
-[[nodiscard]] bool has_step(const std::string& truncation);
-
 /// What is wrong with a potential that has a step, for analyses that need a continuous one: "... has a step at ...".
 [[nodiscard]] std::string step_in_words(const std::string& truncation);
 

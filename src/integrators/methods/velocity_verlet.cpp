@@ -16,6 +16,7 @@ IntegratorMethod velocity_verlet() {
             .meaning = "half kick, drift, half kick (Swope et al. 1982)",
             .order = 2,
             .reversible = true,
+            .takes_thermostat = true,
             .options = without_options([](double dt) -> Scheme {
                 return {.begin = {}, .cycle = {{Kick{0.5 * dt}, Drift{dt}, Evaluate{}, Kick{0.5 * dt}}}, .reverse = {}};
             })};

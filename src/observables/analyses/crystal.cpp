@@ -72,6 +72,7 @@ AnalysisMethod crystal() {
             .files = {"bragg"},
             .follows_time = false,
             .needs = {.fixed_box = false},
+            .of_crystal = true,
             .quantities = {{"site_displacement", "<u^2>", "sigma^2"},
                            {"site_displacement_debye_waller", "<u^2>_DW", "sigma^2"},
                            {"lindemann_ratio", "<u^2>^(1/2)/d", ""},

@@ -135,6 +135,7 @@ struct AnalysisMethod {
     bool follows_time = false;       ///< compares configurations at different times
     AnalysisNeeds needs = {};
     bool is_random = false;                      ///< it draws random numbers
+    bool of_crystal = false;                     ///< a deck that has it wants a crystal
     std::vector<KnownQuantity> quantities = {};  ///< columns of its tables and results, but for the samples'
     std::vector<AnalysisChart> charts = {};
     std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults

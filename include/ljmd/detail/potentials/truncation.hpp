@@ -28,6 +28,8 @@ class Cut {
     static constexpr std::string_view name = "cut";
     static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = true;
+    static constexpr bool takes_switch_start = false;
+    static constexpr bool energy_jumps = true;
     static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
@@ -51,6 +53,8 @@ class Shifted {
     static constexpr std::string_view name = "shifted";
     static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = false;
+    static constexpr bool takes_switch_start = false;
+    static constexpr bool energy_jumps = false;
     static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
@@ -76,6 +80,8 @@ class ForceShifted {
     static constexpr std::string_view name = "force-shifted";
     static constexpr bool takes_root = true;
     static constexpr bool takes_tail = false;
+    static constexpr bool takes_switch_start = false;
+    static constexpr bool energy_jumps = false;
     static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
@@ -107,6 +113,8 @@ class Switched {
     static constexpr std::string_view name = "switched";
     static constexpr bool takes_root = true;
     static constexpr bool takes_tail = true;
+    static constexpr bool takes_switch_start = true;
+    static constexpr bool energy_jumps = false;
     static void describe(Description& description, Cutoff& cutoff) {
         description.required_number("switch_start", cutoff.switch_start)
             .dimension(Dimension::length)
