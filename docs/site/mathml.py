@@ -1,7 +1,7 @@
 """Formulas as MathML, which browsers draw by themselves: no script, no download, nothing to install.
 
 What docutils makes of them is mended: it reads \\frac32 as 32 over what follows, takes ' for a letter, lets every angle bracket grow to the
-highest part of the line, and puts wide spaces around / and |.
+highest part of the line, puts wide spaces around / and |, and none beside names of functions.
 """
 
 import re
@@ -17,6 +17,8 @@ def mathml(tex: str, inline: bool) -> str:
         tex = re.sub(rf"(?<!\\left)(?<!\\right)\\{name}\b", rf"\\text{{{bracket}}}", tex)
     found = tex2mathml(tex, inline=inline)
     found = re.sub("<mtext>([⟨⟩])</mtext>", r'<mo stretchy="false">\1</mo>', found)
+    found = re.sub(r"<mo>&ApplyFunction;</mo>(?!\s*<mo[^>]*>\()", '<mo rspace="0.17em">&ApplyFunction;</mo>', found)
+    found = re.sub(r"(?<=</mi>|</mn>)(?=\s*<mi>\w+</mi>\s*<mo[^>]*>&ApplyFunction)", '<mspace width="0.17em"></mspace>', found)
     return re.sub('<mo stretchy="false">([/|])</mo>', r'<mo stretchy="false" lspace="0" rspace="0">\1</mo>', found)
 
 
