@@ -18,9 +18,10 @@ else()
     set(needs_files PATTERN ljmd.hpp EXCLUDE PATTERN run EXCLUDE PATTERN deck EXCLUDE)
 endif()
 install(TARGETS ljmd_engine EXPORT ljmd_engine DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# Public is what lies in include/, and what is generated for it.
-install(DIRECTORY include/ljmd ${PROJECT_BINARY_DIR}/generated/include/ljmd DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp" ${needs_files})
+# Public is what lies in include/, and the one header that is generated for it.
+install(DIRECTORY include/ljmd DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" ${needs_files})
+install(FILES ${PROJECT_BINARY_DIR}/generated/include/ljmd/detail/potentials/formula_list.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ljmd/detail/potentials)
 if(LJMD_PROGRAM)
     install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd COMPONENT program PATTERN "__pycache__" EXCLUDE)
     ljmd_install_python_sources()
