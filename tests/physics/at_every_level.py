@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Runs tests of the whole system on every SIMD level that this processor has.
 
-    at_every_level.py --ljmd PROGRAM --tests EXECUTABLE --threads N [--last] [FILTER ...]
+    at_every_level.py --ljmd PROGRAM --tests EXECUTABLE --threads N [--only last|ends] [FILTER ...]
 
-EXECUTABLE is one of Catch2 whose kernels obey LJMD_SIMD and OMP_NUM_THREADS; FILTER selects tests as Catch2 does. --last: only on the
-last level, which may have digits of its own; all others have those of the common set. Ends with an error when a level fails, when a run executes no test, or when only one level is there to be tried on an x86-64.
+EXECUTABLE is one of Catch2 whose kernels obey LJMD_SIMD and OMP_NUM_THREADS; FILTER selects tests as Catch2 does. --only last: on the
+last level, which may have digits of its own; all others have those of the common set. --only ends: on the first and the last. Ends with an error when a level fails, when a run executes no test, or when only one level is there to be tried on an x86-64.
 """
 
 import argparse
@@ -21,7 +21,7 @@ def main():
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--tests", required=True)
     parser.add_argument("--threads", required=True)
-    parser.add_argument("--last", action="store_true")
+    parser.add_argument("--only", choices=["last", "ends"])
     parser.add_argument("filters", nargs="*")
     options = parser.parse_args()
     info = json.loads(subprocess.run([options.ljmd, "info", "--json"], capture_output=True, check=True, text=True).stdout)
@@ -29,8 +29,10 @@ def main():
     failures = []
     if platform.machine() == "x86_64" and len(levels) < 2:
         failures.append(f"only {levels} can be used on an x86-64")
-    if options.last:
+    if options.only == "last":
         levels = levels[-1:]
+    elif options.only == "ends":
+        levels = [levels[0], *levels[1:][-1:]]
     for level in levels:
         environment = {**os.environ, "LJMD_SIMD": level, "OMP_NUM_THREADS": options.threads}
         result = subprocess.run([options.tests, *options.filters], capture_output=True, text=True, env=environment)
