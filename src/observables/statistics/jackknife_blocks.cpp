@@ -13,6 +13,14 @@ namespace {
 constexpr std::size_t most_blocks = 64;
 constexpr std::size_t least_blocks = 16;
 
+Eigen::VectorXd sum_of(const std::vector<Eigen::VectorXd>& means, Index width) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width);
+    for (const Eigen::VectorXd& mean : means) {
+        sum += mean;
+    }
+    return sum;
+}
+
 }  // namespace
 
 void JackknifeBlocks::add(const Eigen::VectorXd& sample) {
@@ -35,11 +43,7 @@ void JackknifeBlocks::add(const Eigen::VectorXd& sample) {
 }
 
 Eigen::VectorXd JackknifeBlocks::sum() const {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
-    for (const Eigen::VectorXd& block : means_) {
-        sum += block;
-    }
-    return sum;
+    return sum_of(means_, width_);
 }
 
 std::vector<Eigen::VectorXd> JackknifeBlocks::joined(std::size_t count) const {
@@ -62,10 +66,7 @@ Eigen::VectorXd JackknifeBlocks::errors(const std::function<Eigen::VectorXd(cons
         return Eigen::VectorXd::Constant(function(mean()).size(), std::numeric_limits<double>::quiet_NaN());
     }
     const auto blocks = static_cast<double>(means.size());
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(width_);
-    for (const Eigen::VectorXd& block : means) {
-        all += block;
-    }
+    const Eigen::VectorXd all = sum_of(means, width_);
     std::vector<Eigen::VectorXd> without;
     without.reserve(means.size());
     for (const Eigen::VectorXd& block : means) {
