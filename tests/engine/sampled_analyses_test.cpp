@@ -110,3 +110,24 @@ TEST_CASE("an observer is added once, and checkpoints are of as many as there ar
     CHECK_THROWS_WITH(test::through_archive(with, without),
                       Catch::Contains("has 1 observers of the program that wrote it, and 0"));
 }
+
+TEST_CASE("correlations of an analysis do not go on across the border of two stages") {
+    FluidSpec spec = small_spec();
+    spec.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}})};  // 20 lags
+    const auto rows = [&](bool is_divided) {
+        FluidSystem fluid = placed(spec);
+        SampledAnalyses analyses(spec, fluid, {});
+        for (Index step = 0; step < 30; ++step) {
+            if (step == 15 && is_divided) {
+                analyses.stage_begins(spec.stages[1]);
+            }
+            fluid.state.step = step;
+            analyses.sample(Evaluation{}, false, false);
+        }
+        RunResult result;
+        analyses.add_to(result);
+        return result.tables.empty() ? std::size_t{0} : result.table("msd").rows.size();
+    };
+    CHECK(rows(false) == 21);
+    CHECK(rows(true) == 0);  // no part is as long as its largest lag
+}
