@@ -33,7 +33,7 @@ class FluidMeasurement : public RunMeasurement {
     void archive(Archive& a) override;
     void require_begun(const LoopPosition& position) const override;
 
-    /// Analyses and observers; more of these may be added.
+    /// The analyses and observers of the run. Observers can be added.
     [[nodiscard]] SampledAnalyses& analyses() { return analyses_; }
 
     /// The results so far. @param loop  wall time of the time loop

@@ -38,9 +38,9 @@ class JackknifeBlocks {
 
     /// Standard errors of the components of a function of the means; NaN with fewer than 16 blocks.
     /// @param function  of the means, `width` components; returns the same number of components whenever it is called
-    /// @param shared  number of samples s, the first of which shares data with all before the last: samples that are
-    ///        n < s apart have a correlation of 1 - n/s. Blocks then have a length L >= 2 s, and what neighbours share,
-    ///        a part s/(3 L) of the variance of a mean, is added
+    /// @param shared  s: samples that are n < s apart share data and have the correlation 1 - n/s. The length L of the
+    ///        blocks is then at least 2 s. Neighbouring blocks share data, too, which hides the part s/(3 L) of the
+    ///        variance of the mean; this part is added
     [[nodiscard]] Eigen::VectorXd errors(const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function,
                                          Index shared = 0) const;
 
