@@ -118,6 +118,13 @@ Eigen::VectorXd ResponseFunctions::values_at(const Eigen::VectorXd& means) const
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
 
+double ResponseFunctions::energies_at_fixed_volume() const {
+    const Eigen::VectorXd with_volume = series_.covariances(response::volume);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Unit(series_.width(), response::energy);
+    gradient[response::volume] = -with_volume[response::energy] / with_volume[response::volume];
+    return series_.estimate(0.0, gradient).independent_samples;
+}
+
 std::vector<Estimate> ResponseFunctions::estimates() const {
     constexpr int all = response::columns + 1;
     const Eigen::VectorXd mean = series_.mean();
@@ -126,11 +133,11 @@ std::vector<Estimate> ResponseFunctions::estimates() const {
     for (int k = 0; k < response::columns; ++k) {
         means.mean[k] = Dual(mean[k], all, k);
     }
-    double independent = static_cast<double>(samples());
+    double slowest = static_cast<double>(samples());
     bool long_enough = true;
     for (const response::Column column : fluctuating(ensemble_)) {
         const Estimate of_column = series_.estimate(column);
-        independent = std::min(independent, of_column.independent_samples);
+        slowest = std::min(slowest, of_column.independent_samples);
         long_enough = long_enough && of_column.converged;
     }
     const Eigen::VectorXd jackknife = blocks_.errors([this](const Eigen::VectorXd& at) { return values_at(at); });
@@ -139,6 +146,8 @@ std::vector<Estimate> ResponseFunctions::estimates() const {
     for (const Dual& value : values_of(means, ensemble_)) {
         Estimate each = series_.estimate(value.value(), value.derivatives().head(response::columns));
         const double by_blocks = jackknife[static_cast<Index>(found.size())];
+        const bool at_fixed_volume = ensemble_ == Ensemble::isothermal_isobaric && found.size() == c_v_place;
+        const double independent = at_fixed_volume ? energies_at_fixed_volume() : slowest;
         each.converged = each.converged && long_enough && std::isfinite(by_blocks);
         each.standard_error =
             std::hypot(std::max(each.standard_error, by_blocks), value.derivatives()[response::columns] / independent);

@@ -36,7 +36,8 @@ struct ResponseSample {
 /// Errors are for the whole formula as a function of all means, with their correlations: the larger one of the error by
 /// block averages (BlockingAccumulator, to first order) and of a jackknife over 32 to 64 blocks (JackknifeBlocks). To
 /// it is added what the value would change if all variances were too low by 1/n, n being the independent samples of the
-/// fluctuating quantities. There is no value where the run is too short for these errors; where K_T or c_v is not known
+/// fluctuating quantities; c_v at constant pressure is the fluctuation of the energy at fixed volume, of dU - dV <dU
+/// dV>/<dV^2>, which is faster than the volume. There is no value where the run is too short for these errors; where K_T or c_v is not known
 /// to a quarter of itself, what is divided by it has none either.
 class ResponseFunctions {
   public:
@@ -66,6 +67,8 @@ class ResponseFunctions {
     /// All values that follow from these means, and the bulk modulus.
     [[nodiscard]] Eigen::VectorXd values_at(const Eigen::VectorXd& means) const;
     [[nodiscard]] std::vector<Estimate> estimates() const;
+    /// Independent samples of dU - dV <dU dV>/<dV^2>.
+    [[nodiscard]] double energies_at_fixed_volume() const;
 
     double atoms_;
     Ensemble ensemble_;

@@ -162,10 +162,15 @@ Estimate RunAverages::estimate_of(double value, const Eigen::VectorXd& gradient)
     if (volume_fluctuates(ensemble_)) {
         exchanged.push_back(density_column);
     }
-    std::vector<Index> slow = exchanged;
     const bool of_motion = gradient[temperature_column] + gradient[kinetic_energy_column] == gradient.sum();
-    if (!of_motion) {
-        slow.push_back(potential_energy_column);
+    // A reflection changes the sign of shear stress and of no energy or volume: it has no part of what is slow in them.
+    const bool of_shear = !external_energy_ && gradient.segment(first_shear_column, 3).sum() == gradient.sum();
+    std::vector<Index> slow;
+    if (!of_shear) {
+        slow = exchanged;
+        if (!of_motion) {
+            slow.push_back(potential_energy_column);
+        }
     }
     Estimate found = series_.estimate(value, gradient, slow);
     const bool is_short = std::ranges::any_of(

@@ -174,6 +174,36 @@ TEST_CASE("the scatter over 60 series is what their errors say, in every ensembl
     check_scatter(Ensemble::isothermal_isobaric, gas_sample);
 }
 
+TEST_CASE("a slow volume does not hide how well the fluctuation of the energy beside it is known") {
+    constexpr int seeds = 40;
+    constexpr int samples = 24000;
+    constexpr int same_volume = 400;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        ResponseFunctions responses(atoms, Ensemble::isothermal_isobaric, 0.9, true);
+        std::mt19937_64 generator(seed);
+        double volume = 0.0;
+        for (int k = 0; k < samples; ++k) {
+            ResponseSample sample = gas_sample(generator);
+            volume = k % same_volume == 0 ? sample.volume : volume;
+            sample.volume = volume;
+            responses.add(sample);
+        }
+        const Found found = by_name(responses);
+        const ObservableAverage& c = found.at("heat_capacity_cv");
+        REQUIRE(c.estimate.has_value());
+        sum += c.estimate->mean;
+        squares += c.estimate->mean * c.estimate->mean;
+        reported += c.estimate->standard_error * c.estimate->standard_error / seeds;
+    }
+    const double ratio = std::sqrt((squares - sum * sum / seeds) / (seeds - 1) / reported);
+    CAPTURE(ratio);
+    CHECK(ratio > 0.75);
+    CHECK(ratio < 1.3);
+}
+
 TEST_CASE("errors are those of a jackknife over blocks of the series") {
     constexpr int blocks = 200;
     constexpr int length = 200;

@@ -163,6 +163,30 @@ TEST_CASE("what a bath exchanges slowly shows in the total energy, and lengthens
     }
 }
 
+TEST_CASE("shear stress, whose sign a reflection changes, has no part of an energy that is slow") {
+    const auto errors = [](bool external_energy) {
+        std::mt19937_64 generator(8);
+        std::normal_distribution<double> normal;
+        RunAverages run(100, Ensemble::none, external_energy);
+        double slow = 0.0;
+        double stress = 0.0;
+        for (int k = 0; k < 8192; ++k) {
+            slow = 0.99 * slow + 0.14 * normal(generator);    // 200 samples long
+            stress = 0.5 * stress + 0.87 * normal(generator);  // 3 samples long
+            Thermodynamics sample = numbered(0.0);
+            sample.potential_energy = slow;
+            Mat3 tensor = *sample.pressure_tensor;
+            tensor(0, 1) = tensor(1, 0) = stress;
+            sample.pressure_tensor = tensor;
+            run.add(sample);
+        }
+        return find(run.averages(), "pressure_xy").estimate;
+    };
+    const auto of_its_own = errors(false);
+    CHECK(of_its_own->standard_error == Approx(std::sqrt(3.0 / 8192.0)).epsilon(0.15));
+    CHECK(errors(true)->independent_samples < of_its_own->independent_samples);  // a field may have a direction
+}
+
 TEST_CASE("a run that is short beside the time of its bath knows it from that time, whatever its samples look like") {
     const auto temperature = [](double exchange, double shared) {
         std::mt19937_64 generator(5);
