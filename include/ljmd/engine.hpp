@@ -5,6 +5,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/configuration_evaluator.hpp"
+#include "ljmd/engine/few_body_simulation.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/execution/execution.hpp"

@@ -44,19 +44,8 @@ class Pass {
           tail_(trajectory.thermo ? fluid_spec(*trajectory.deck).interaction().tail : TailCorrection()) {}
 
     void run() {
-        const auto reader =
-            open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group, trajectory_.xyz_comment);
-        const auto frames = static_cast<std::size_t>(trajectory_.summary.frames);
-        Frame frame;
-        for (std::size_t k = 0; k < frames; ++k) {
-            if (!reader->next(frame) || std::ssize(frame.configuration.positions) != trajectory_.summary.atoms) {
-                throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
-            }
-            take(k, std::move(frame.configuration));
-            if (frame_read_) {
-                frame_read_();
-            }
-        }
+        each_frame(
+            trajectory_, [this](std::size_t k, Configuration&& frame) { take(k, std::move(frame)); }, frame_read_);
     }
 
     /// Averages of energies and pressures, if requested; else only of the temperature, if there are velocities.
@@ -187,6 +176,24 @@ AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, cons
         check_thermo(deck, trajectory.summary, trajectory.selection);
     }
     return trajectory;
+}
+
+void each_frame(const AnalyzedTrajectory& trajectory,
+                const std::function<void(std::size_t number, Configuration&& frame)>& take,
+                const FrameRead& frame_read) {
+    const auto reader =
+        open_trajectory(trajectory.path, trajectory.units(), trajectory.group, trajectory.xyz_comment);
+    const auto frames = static_cast<std::size_t>(trajectory.summary.frames);
+    Frame frame;
+    for (std::size_t k = 0; k < frames; ++k) {
+        if (!reader->next(frame) || std::ssize(frame.configuration.positions) != trajectory.summary.atoms) {
+            throw DataError(fmt::format("{} has changed while it was read", trajectory.path.string()));
+        }
+        take(k, std::move(frame.configuration));
+        if (frame_read) {
+            frame_read();
+        }
+    }
 }
 
 TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses,

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analyze/trajectory_analyses.hpp"
 #include "core/document.hpp"
+#include "ljmd/analyze/trajectory.hpp"
 #include "ljmd/execution/execution.hpp"
 
 namespace ljmd {
@@ -43,13 +45,11 @@ struct FrameOptions {
                                                        bool thermo, const FrameOptions& options,
                                                        const FrameRead& frame_read = {});
 
-/// Results from a trajectory.
-struct TrajectoryResult {
-    std::vector<ObservableAverage> averages;
-    std::vector<DataTable> tables;
-    std::vector<std::string> warnings;
-    bool used_displacements = false;  ///< so whether positions are wrapped matters
-};
+/// Read all frames of a trajectory again. @param take  receives the number of each, from 0
+/// @throws DataError  the file has changed since it was summarised
+void each_frame(const AnalyzedTrajectory& trajectory,
+                const std::function<void(std::size_t number, Configuration&& frame)>& take,
+                const FrameRead& frame_read = {});
 
 /// Feed the selected frames to the analyses. Wrapped positions are unwrapped frame by frame with nearest images. Forces
 /// are evaluated if an analysis needs them, and for `thermo`, which gives the same averages as the rows of a run. The

@@ -3,63 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "deck/deck_sense.hpp"
 #include "deck/deck_stages.hpp"
 #include "deck/mistake_report.hpp"
-#include "engine/few_body_system.hpp"
+#include "engine/mistakes/few_body_mistakes.hpp"
 
 namespace ljmd {
 
 namespace {
 
-std::string count(std::size_t components) {
-    return fmt::format("{} component{}", components, components == 1 ? "" : "s");
-}
-
-/// The first body determines the dimension of the deck. @return nothing if vectors disagree or are invalid
-std::optional<int> check_dimensions(const std::vector<Placed<BodyStart>>& bodies, Diagnostics& diagnostics) {
-    std::optional<std::size_t> dimensions;
-    bool agree = true;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        const Placed<BodyStart>& body = bodies[k];
+/// The bodies, without the vectors that validation has found wrong.
+std::vector<BodyStart> bodies_of(const Placed<FewBodyTables>& tables) {
+    std::vector<BodyStart> bodies;
+    for (const Placed<BodyStart>& body : tables.bodies) {
+        BodyStart& found = bodies.emplace_back(body);
         for (const auto member : {&BodyStart::position, &BodyStart::velocity}) {
             if (!body.given(member)) {
-                agree = false;
-                continue;
-            }
-            const std::size_t components = (body.*member).size();
-            if (!dimensions) {
-                dimensions = components;
-            } else if (components != *dimensions) {
-                agree = false;
-                diagnostics.error(body.location(member),
-                                  fmt::format("'{}' of body {} has {}, but the deck began with {}",
-                                              Placed<BodyStart>::key(member), k + 1, count(components), *dimensions),
-                                  fmt::format("all vectors of this deck have {}", count(*dimensions)));
+                (found.*member).clear();
             }
         }
     }
-    return agree && dimensions ? std::optional(static_cast<int>(*dimensions)) : std::nullopt;
+    return bodies;
 }
 
-bool check_force_dimensions(const Placed<BodyStart>& first_body, const FewBodyForceMethod& force, int dimensions,
-                            Diagnostics& diagnostics) {
-    if (dimensions >= force.min_dimensions && dimensions <= force.max_dimensions) {
-        return true;
-    }
-    diagnostics.error(first_body.location(&BodyStart::position),
-                      fmt::format("'position' has {}, but force '{}' moves a coordinate of {}",
-                                  count(static_cast<std::size_t>(dimensions)), force.name,
-                                  count(static_cast<std::size_t>(force.max_dimensions))));
-    return false;
-}
-
-/// Whether all values of the force and all masses are valid.
+/// Whether all values of the force and of the bodies are valid.
 bool is_sound(const FewBodyTables& tables) {
     return tables.force.section().all_sound() && std::ranges::all_of(tables.bodies, [](const Placed<BodyStart>& body) {
-               return body.sound(&BodyStart::mass);
+               return body.given(&BodyStart::position) && body.given(&BodyStart::velocity) &&
+                      body.sound(&BodyStart::mass);
            });
 }
 
@@ -85,31 +57,26 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
                           fmt::format("'accelerations' in trajectory goes only with format = \"csv\", not \"{}\"",
                                       trajectory->format));
     }
-    const std::vector<Placed<BodyStart>>& bodies = tables.bodies;
-    if (bodies.empty()) {
+    const std::vector<BodyStart> bodies = bodies_of(tables);
+    const std::vector<Mistake> wrong_dimensions = dimension_mistakes(bodies);
+    report(wrong_dimensions, tables, diagnostics);
+    const bool has_force = tables.sound(&FewBodyTables::force) && tables.force.sound(&ForceTable::method);
+    if (bodies.empty() || bodies.front().position.empty() || !wrong_dimensions.empty() || !has_force) {
         return;
     }
-    const auto dimensions = check_dimensions(bodies, diagnostics);
-    if (!dimensions || !tables.sound(&FewBodyTables::force) || !tables.force.sound(&ForceTable::method)) {
-        return;
-    }
-    const FewBodyForceMethod method = find_few_body_force(tables.force.method.name);
-    if (!check_force_dimensions(bodies.front(), method, *dimensions, diagnostics) || !is_sound(tables)) {
+    const std::vector<Mistake> wrong_force =
+        force_mistakes(bodies, find_few_body_force(tables.force.method.name));
+    report(wrong_force, tables, diagnostics);
+    if (!wrong_force.empty() || !is_sound(tables)) {
         return;
     }
     const ChosenFewBodyForce force = chosen_few_body_force(tables.force.method);
-    const State start = few_body_start(std::vector<BodyStart>(bodies.begin(), bodies.end()), *force.options);
-    if (const auto problem = force.options->check(start)) {
-        diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location(&BodyStart::position),
-                          problem->message);
-    }
-    for (const Choice& analysis : tables.analysis.asked) {
-        const auto& section = tables.analysis.section().section(analysis.name);
-        if (section.all_sound()) {
-            report_at_keys(chosen_few_body_analysis(analysis).options->check({start.count(), *dimensions, force}),
-                           section, diagnostics);
-        }
-    }
+    report(start_mistakes(bodies, force), tables, diagnostics);
+    std::vector<Choice> analyses = tables.analysis.asked;
+    std::erase_if(analyses, [&](const Choice& analysis) {
+        return !tables.analysis.section().section(analysis.name).all_sound();
+    });
+    report(few_body_analysis_mistakes(analyses, bodies, force), tables, diagnostics);
 }
 
 }  // namespace ljmd

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "ljmd/core/errors.hpp"
 
@@ -13,7 +14,9 @@ namespace {
 /// The table that a mistake is in.
 template <class Tables>
 const Section& section_of(const Mistake& mistake, const Placed<Tables>& tables) {
-    if (mistake.table == Placed<Tables>::key(&Tables::stages)) {
+    const bool is_body = std::is_same_v<Tables, FewBodyTables> &&
+                         mistake.table == Placed<FewBodyTables>::key(&FewBodyTables::bodies);
+    if (is_body || mistake.table == Placed<Tables>::key(&Tables::stages)) {
         return tables.section().sections(mistake.table).at(mistake.index);
     }
     const Section& table = tables.section().section(mistake.table);
@@ -45,7 +48,9 @@ void report_in(const Placed<Tables>& tables, const std::vector<Mistake>& mistake
     for (const Mistake& mistake : mistakes) {
         const Section& section = section_of(mistake, tables);
         const auto is_sound = [&](const std::string& key) { return place_of(section, key).is_sound(); };
-        if (std::ranges::all_of(mistake.keys, is_sound)) {
+        if (mistake.keys.empty()) {
+            diagnostics.error(section.location(), mistake.message, mistake.hint);
+        } else if (std::ranges::all_of(mistake.keys, is_sound)) {
             const auto [table, key] = place_of(section, mistake.keys.front());
             diagnostics.error(table.location(key),
                               mistake.follows_key ? fmt::format("'{}' in {} {}", key, table.title(), mistake.message)

@@ -1,10 +1,12 @@
 #include "ljmd/engine/choices.hpp"
 
+#include "forces/few_body_force.hpp"
 #include "integrators/barostat.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/thermostat.hpp"
 #include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/options/choice.hpp"
+#include "observables/few_body/few_body_analysis.hpp"
 
 namespace ljmd {
 
@@ -22,6 +24,14 @@ Choice barostat(const std::string& name, const Settings& settings) {
 
 Choice analysis(const std::string& name, const Settings& settings) {
     return choice_of(chosen_analysis({name, settings}));
+}
+
+Choice few_body_force(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_few_body_force({name, settings}));
+}
+
+Choice few_body_analysis(const std::string& name, const Settings& settings) {
+    return choice_of(chosen_few_body_analysis({name, settings}));
 }
 
 }  // namespace ljmd

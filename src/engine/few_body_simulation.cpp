@@ -1,9 +1,14 @@
-#include "engine/few_body_simulation.hpp"
+#include "ljmd/engine/few_body_simulation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "engine/few_body_measurement.hpp"
 #include "engine/few_body_system.hpp"
+#include "ljmd/core/errors.hpp"
 
 namespace ljmd {
 
@@ -17,12 +22,19 @@ class Rows : public RunOutputs {
     std::vector<FewBodyRow> all;
 };
 
+FewBodySpec checked(FewBodySpec spec) {
+    if (const std::vector<std::string> found = mistakes(spec); !found.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(found, "\n")));
+    }
+    return spec;
+}
+
 }  // namespace
 
 /// Parts point to each other, so they stay where they are.
 struct FewBodySimulation::Parts {
     Parts(FewBodySpec wanted, const Execution& execution)
-        : spec(std::move(wanted)),
+        : spec(checked(std::move(wanted))),
           system(make_few_body_system(spec, execution)),
           measurement(spec.stages, spec.sample_every, system, rows) {}
 
@@ -41,7 +53,15 @@ FewBodySimulation::~FewBodySimulation() = default;
 FewBodySimulation::FewBodySimulation(FewBodySimulation&&) noexcept = default;
 FewBodySimulation& FewBodySimulation::operator=(FewBodySimulation&&) noexcept = default;
 
+FewBodyResult FewBodySimulation::run() {
+    advance(total_steps(parts_->spec.stages));
+    return result();
+}
+
 void FewBodySimulation::advance(Index steps) {
+    if (steps < 0) {
+        throw InputError(fmt::format("{} steps: allowed are 0 and more", steps));
+    }
     Parts& p = *parts_;
     if (p.finished()) {
         return;
@@ -60,7 +80,10 @@ bool FewBodySimulation::finished() const {
 }
 
 FewBodyResult FewBodySimulation::result() const {
-    return parts_->measurement.result(parts_->position ? parts_->position->seconds : LoopSeconds{});
+    if (!parts_->position) {
+        throw InputError("results of few bodies are known after the first call of run() or advance()");
+    }
+    return parts_->measurement.result(parts_->position->seconds);
 }
 
 const FewBodySpec& FewBodySimulation::spec() const {

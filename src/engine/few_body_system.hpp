@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/few_body_spec.hpp"
+#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "forces/few_body_force.hpp"
 #include "ljmd/detail/forces/force_field.hpp"
 #include "ljmd/detail/model/state.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "deck/deck.hpp"
-#include "engine/few_body_simulation.hpp"
+#include "ljmd/engine/few_body_simulation.hpp"
 #include "ljmd/detail/core/data.hpp"
 #include "ljmd/engine/simulation.hpp"
 

@@ -137,21 +137,15 @@ class FramesOfPython {
         std::vector<double> times;
         std::vector<Index> steps;
         with_attention([&](const FrameRead& frame_read) {
-            const auto reader =
-                open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group, trajectory_.xyz_comment);
-            Frame frame;
-            for (Index k = 0; k < summary.frames; ++k) {
-                if (!reader->next(frame)) {
-                    throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
-                }
+            const auto add = [&](std::size_t /*number*/, Configuration&& frame) {
                 if (!summary.has_velocities) {
-                    frame.configuration.velocities.clear();
+                    frame.velocities.clear();
                 }
-                found.add(frame.configuration);
-                times.push_back(frame.configuration.time.value_or(0.0));
-                steps.push_back(frame.configuration.step.value_or(0));
-                frame_read();
-            }
+                found.add(frame);
+                times.push_back(frame.time.value_or(0.0));
+                steps.push_back(frame.step.value_or(0));
+            };
+            each_frame(trajectory_, add, frame_read);
         });
         const auto frames = static_cast<py::ssize_t>(times.size());
         const auto atoms = static_cast<py::ssize_t>(summary.atoms);

@@ -1,4 +1,4 @@
-#include "engine/few_body_spec.hpp"
+#include "ljmd/detail/engine/few_body_spec.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -14,5 +14,7 @@ namespace ljmd {
 [[nodiscard]] Choice thermostat(const std::string& name, const Settings& settings = {});
 [[nodiscard]] Choice barostat(const std::string& name, const Settings& settings = {});
 [[nodiscard]] Choice analysis(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice few_body_force(const std::string& name, const Settings& settings = {});
+[[nodiscard]] Choice few_body_analysis(const std::string& name, const Settings& settings = {});
 
 }  // namespace ljmd

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deck/tables/output_table.hpp"
-#include "engine/few_body_spec.hpp"
+#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "options/placed.hpp"
 
 namespace ljmd {

@@ -84,6 +84,9 @@ std::string label_of(const Mistake& mistake) {
     if (mistake.table == "analysis") {
         return fmt::format("analysis {}", mistake.name);
     }
+    if (mistake.table == "body") {
+        return fmt::format("body {}", mistake.index + 1);
+    }
     return mistake.table == "system" ? "start" : mistake.table;
 }
 

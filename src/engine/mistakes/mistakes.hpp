@@ -17,13 +17,13 @@ inline constexpr double min_cutoff = 0.01;    ///< r^-12 there is 10^24 [sigma]
 /// Values of a specification that break a rule. Tables and keys have the names that they have in a deck, which can thus
 /// show the place.
 struct Mistake {
-    std::string table;    ///< "system", "potential", "neighbors", "performance", "stage" or "analysis"
+    std::string table;    ///< "system", "potential", "neighbors", "performance", "stage", "body" or "analysis"
     std::string name;     ///< of the stage or the analysis
-    std::size_t index;    ///< of the stage
+    std::size_t index;    ///< of the stage or the body
     std::string message;  ///< a sentence, or what follows the name of the first key: "is 3, not below the cutoff 2.5"
     bool follows_key;     ///< the message is the latter
     std::vector<std::string> keys;  ///< the value to change, then those that it does not go with; "thermostat.type" is
-                                    ///< in a table of its own
+                                    ///< in a table of its own; none: the table as a whole
     std::string hint;               ///< what to do; may be empty
 };
 

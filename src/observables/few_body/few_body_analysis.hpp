@@ -10,6 +10,7 @@
 #include "ljmd/detail/core/archive.hpp"
 #include "ljmd/detail/model/state.hpp"
 #include "ljmd/detail/observables/analysis.hpp"
+#include "ljmd/detail/observables/few_body/finding.hpp"
 #include "ljmd/options/choice.hpp"
 #include "observables/few_body/polar_angle.hpp"
 
@@ -20,14 +21,6 @@ namespace ljmd {
 struct FewBodySample {
     const State& state;
     std::optional<PolarAngle> angle;  ///< for forces with a polar angle besides the coordinate (radial-kepler)
-};
-
-/// A result that is a single number. Units are the deck's; angles are in rad.
-struct Finding {
-    std::string name;
-    double value;                          ///< NaN if it has none
-    std::optional<double> standard_error;  ///< for means over orbits or swings
-    std::string remark = {};               ///< why there is no value, or what must be known of it
 };
 
 /// A measurement on a few bodies, at every step of the sampled stages and at those that an adaptive integrator takes

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ljmd/detail/options/description.hpp"
@@ -18,11 +19,14 @@ struct BodyStart {
 
 /// What a run of few bodies in unbounded space is, as plain values in whatever units go together.
 struct FewBodySpec {
-    Choice force = {};                   ///< one of all_few_body_forces()
+    Choice force = {};                   ///< see few_body_force()
     std::vector<BodyStart> bodies = {};  ///< at least one
     std::vector<Stage> stages = {};
-    Index sample_every = 1;  ///< steps between samples of energy and momenta
-    std::vector<Choice> analyses = {};
+    Index sample_every = 1;             ///< steps between samples of energy and momenta
+    std::vector<Choice> analyses = {};  ///< see few_body_analysis()
 };
+
+/// Sentences on all that is wrong with a specification; empty if a run can begin.
+[[nodiscard]] std::vector<std::string> mistakes(const FewBodySpec& spec);
 
 }  // namespace ljmd
