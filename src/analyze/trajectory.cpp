@@ -24,8 +24,11 @@ Deck deck_of(FluidSpec fluid) {
     GivenParts given;
     if (const PairPotential own = fluid.potential; own.is_custom()) {
         fluid.potential = PairPotential::lennard_jones(own.truncation(), own.cutoff());  // stands in for it in the text
-        given.potential = GivenPotential{
-            .name = own.formula(), .truncation = own.truncation(), .cutoff = own.cutoff(), .checksum = "", .potential = own};
+        given.potential = GivenPotential{.name = own.formula(),
+                                         .truncation = own.truncation(),
+                                         .cutoff = own.cutoff(),
+                                         .checksum = "",
+                                         .potential = own};
     }
     if (fluid.external) {
         given.external = fluid.external->name();

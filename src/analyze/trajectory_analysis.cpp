@@ -181,8 +181,7 @@ AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, cons
 void each_frame(const AnalyzedTrajectory& trajectory,
                 const std::function<void(std::size_t number, Configuration&& frame)>& take,
                 const FrameRead& frame_read) {
-    const auto reader =
-        open_trajectory(trajectory.path, trajectory.units(), trajectory.group, trajectory.xyz_comment);
+    const auto reader = open_trajectory(trajectory.path, trajectory.units(), trajectory.group, trajectory.xyz_comment);
     const auto frames = static_cast<std::size_t>(trajectory.summary.frames);
     Frame frame;
     for (std::size_t k = 0; k < frames; ++k) {

@@ -64,8 +64,7 @@ void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diag
     if (bodies.empty() || bodies.front().position.empty() || !wrong_dimensions.empty() || !has_force) {
         return;
     }
-    const std::vector<Mistake> wrong_force =
-        force_mistakes(bodies, find_few_body_force(tables.force.method.name));
+    const std::vector<Mistake> wrong_force = force_mistakes(bodies, find_few_body_force(tables.force.method.name));
     report(wrong_force, tables, diagnostics);
     if (!wrong_force.empty() || !is_sound(tables)) {
         return;

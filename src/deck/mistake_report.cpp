@@ -14,8 +14,8 @@ namespace {
 /// The table that a mistake is in.
 template <class Tables>
 const Section& section_of(const Mistake& mistake, const Placed<Tables>& tables) {
-    const bool is_body = std::is_same_v<Tables, FewBodyTables> &&
-                         mistake.table == Placed<FewBodyTables>::key(&FewBodyTables::bodies);
+    const bool is_body =
+        std::is_same_v<Tables, FewBodyTables> && mistake.table == Placed<FewBodyTables>::key(&FewBodyTables::bodies);
     if (is_body || mistake.table == Placed<Tables>::key(&Tables::stages)) {
         return tables.section().sections(mistake.table).at(mistake.index);
     }

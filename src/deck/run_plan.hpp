@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "deck/given_parts.hpp"
-#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "io/files/open_directory.hpp"
 #include "ljmd/detail/deck/run_files.hpp"
+#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
 namespace ljmd {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "forces/few_body_force.hpp"
+#include "ljmd/detail/engine/few_body_spec.hpp"
 #include "ljmd/detail/forces/force_field.hpp"
 #include "ljmd/detail/model/state.hpp"
 #include "observables/few_body/few_body_analysis.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "deck/deck.hpp"
-#include "ljmd/engine/few_body_simulation.hpp"
 #include "ljmd/detail/core/data.hpp"
+#include "ljmd/engine/few_body_simulation.hpp"
 #include "ljmd/engine/simulation.hpp"
 
 namespace ljmd {

@@ -23,8 +23,9 @@ struct RunWithFrames {
         spec.stages = {{.name = "production", .time_step = 0.004, .steps = 40, .sample = true}};
         spec.sample_every = every;
         spec.analyses = {analysis("rdf", {{"bins", 30}, {"every", every}})};
-        result = run_in_directory(spec, folder / "run",
-                                  {.files = {.trajectory = TrajectoryOutput{.format = "xyz", .every = every, .velocities = true}}});
+        result = run_in_directory(
+            spec, folder / "run",
+            {.files = {.trajectory = TrajectoryOutput{.format = "xyz", .every = every, .velocities = true}}});
     }
 
     [[nodiscard]] std::filesystem::path file() const { return folder / "run" / "trajectory.xyz"; }
@@ -73,7 +74,8 @@ TEST_CASE("a program reads the frames of a file, and finds in them what the run 
 
 TEST_CASE("with the fluid that they are of, frames have energies, of a formula of the program too") {
     FluidSpec own = small_spec();
-    own.potential = PairPotential::custom("twelve-six", TwelveSix{}, own.potential.truncation(), own.potential.cutoff());
+    own.potential =
+        PairPotential::custom("twelve-six", TwelveSix{}, own.potential.truncation(), own.potential.cutoff());
     const RunWithFrames run(own);
     const Trajectory frames(run.file(), {.fluid = run.spec, .energies = true, .from = 0.5 * every * 0.004});
     const TrajectoryResult result = frames.analyze({analysis("rdf")});

@@ -47,7 +47,7 @@ FRONTS = (Path("include/ljmd/engine.hpp"), Path("include/ljmd/ljmd.hpp"))
 
 PHYSICS = {"model", "potentials", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
 
-ALLOWED["front"] = PHYSICS | {"core", "options", "execution", "deck", "run"}
+ALLOWED["front"] = PHYSICS | {"core", "options", "execution", "deck", "run", "analyze"}
 
 # Written by the build, not in the tree.
 GENERATED = {"cli/example_deck_texts.hpp", "report/page_arrays.hpp", "execution/simd_levels.hpp", "core/version.hpp", "ljmd/detail/potentials/formula_list.hpp"}

@@ -19,12 +19,12 @@ struct ReadingOptions {
     /// Whose interaction analyses take that need one, whose units a file in SI units has, and whose thermostat says at
     /// which temperature its last stage was sampled.
     std::optional<FluidSpec> fluid = {};
-    bool energies = false;                   ///< analyze() also averages energies and pressures; needs `fluid`
-    std::optional<double> from = {};         ///< frames before this time are left out [tau]
-    std::optional<double> time_step = {};    ///< between steps, where the file has no times [tau]
-    std::optional<bool> wrapped_positions = {}; ///< where neither the file nor the motion of the atoms tells
-    std::string group = {};                  ///< of an H5MD file with several groups of particles
-    std::string xyz_comment = {};            ///< what the comment lines of an extended XYZ file lack
+    bool energies = false;                       ///< analyze() also averages energies and pressures; needs `fluid`
+    std::optional<double> from = {};             ///< frames before this time are left out [tau]
+    std::optional<double> time_step = {};        ///< between steps, where the file has no times [tau]
+    std::optional<bool> wrapped_positions = {};  ///< where neither the file nor the motion of the atoms tells
+    std::string group = {};                      ///< of an H5MD file with several groups of particles
+    std::string xyz_comment = {};                ///< what the comment lines of an extended XYZ file lack
 };
 
 /// Results from the frames of a trajectory.
@@ -55,20 +55,20 @@ class Trajectory {
 
     [[nodiscard]] Index frames() const;
     [[nodiscard]] Index atoms() const;
-    [[nodiscard]] Vec3 edges() const;                           ///< of the box of the first frame [sigma]
-    [[nodiscard]] bool has_velocities() const;                  ///< in all frames
-    [[nodiscard]] const std::vector<double>& times() const;     ///< of the frames [tau]; empty if they have none
-    [[nodiscard]] std::optional<double> spacing() const;        ///< of all measured frames in time [tau]
+    [[nodiscard]] Vec3 edges() const;                                ///< of the box of the first frame [sigma]
+    [[nodiscard]] bool has_velocities() const;                       ///< in all frames
+    [[nodiscard]] const std::vector<double>& times() const;          ///< of the frames [tau]; empty if they have none
+    [[nodiscard]] std::optional<double> spacing() const;             ///< of all measured frames in time [tau]
     [[nodiscard]] const std::vector<std::string>& warnings() const;  ///< remarks on the file
 
     /// Call a function with each frame, as the file has it. @throws DataError  the file has changed
     void each(const std::function<void(const Configuration&)>& take) const;
 
-    /// What analyses find in the frames, in one pass. Their `every` counts frames. The temperature is among the averages
-    /// if there are velocities.
+    /// What analyses find in the frames, in one pass. Their `every` counts frames. The temperature is among the
+    /// averages if there are velocities.
     /// @param analyses  as analysis() makes them, each at most once; none: those that go with the file
-    /// @throws InputError  the file or the options lack what one needs: velocities, equally spaced frames, all atoms, an
-    /// interaction, or whether positions are wrapped  @throws DataError  the file has changed
+    /// @throws InputError  the file or the options lack what one needs: velocities, equally spaced frames, all atoms,
+    /// an interaction, or whether positions are wrapped  @throws DataError  the file has changed
     [[nodiscard]] TrajectoryResult analyze(const std::vector<Choice>& analyses = {}) const;
 
   private:

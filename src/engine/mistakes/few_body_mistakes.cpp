@@ -49,11 +49,12 @@ void judge_stages(const FewBodySpec& spec, Sentences& sentences) {
     for (const Stage& stage : spec.stages) {
         const std::string where = fmt::format("stage '{}'", stage.name);
         sentences.add_thrown(where, [&] { static_cast<void>(completed(stage)); });
-        const bool of_a_fluid = stage.temperature || stage.thermostat || stage.barostat || stage.total_energy ||
-                                !stage.until.empty();
+        const bool of_a_fluid =
+            stage.temperature || stage.thermostat || stage.barostat || stage.total_energy || !stage.until.empty();
         if (of_a_fluid) {
-            sentences.all.push_back(where + ": few bodies have no temperature, thermostat, barostat or total energy, "
-                                            "and their stages end after a number of steps");
+            sentences.all.push_back(where +
+                                    ": few bodies have no temperature, thermostat, barostat or total energy, "
+                                    "and their stages end after a number of steps");
         }
     }
     sentences.add(stage_mistakes(spec.stages));
@@ -102,8 +103,7 @@ std::vector<Mistake> start_mistakes(const std::vector<BodyStart>& bodies, const 
 }
 
 std::vector<Mistake> few_body_analysis_mistakes(const std::vector<Choice>& analyses,
-                                                const std::vector<BodyStart>& bodies,
-                                                const ChosenFewBodyForce& force) {
+                                                const std::vector<BodyStart>& bodies, const ChosenFewBodyForce& force) {
     const FewBodyTarget target{static_cast<Index>(bodies.size()), static_cast<int>(bodies.front().position.size()),
                                force};
     std::vector<Mistake> all;
@@ -157,9 +157,8 @@ std::vector<std::string> mistakes(const FewBodySpec& spec) {
     add_if_none([&] { return dimension_mistakes(spec.bodies); });
     add_if_none([&] { return force_mistakes(spec.bodies, find_few_body_force(spec.force.name)); });
     add_if_none([&] { return start_mistakes(spec.bodies, chosen_few_body_force(spec.force)); });
-    add_if_none([&] {
-        return few_body_analysis_mistakes(spec.analyses, spec.bodies, chosen_few_body_force(spec.force));
-    });
+    add_if_none(
+        [&] { return few_body_analysis_mistakes(spec.analyses, spec.bodies, chosen_few_body_force(spec.force)); });
     return sentences.all;
 }
 

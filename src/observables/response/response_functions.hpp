@@ -37,8 +37,8 @@ struct ResponseSample {
 /// block averages (BlockingAccumulator, to first order) and of a jackknife over 32 to 64 blocks (JackknifeBlocks). To
 /// it is added what the value would change if all variances were too low by 1/n, n being the independent samples of the
 /// fluctuating quantities; c_v at constant pressure is the fluctuation of the energy at fixed volume, of dU - dV <dU
-/// dV>/<dV^2>, which is faster than the volume. There is no value where the run is too short for these errors; where K_T or c_v is not known
-/// to a quarter of itself, what is divided by it has none either.
+/// dV>/<dV^2>, which is faster than the volume. There is no value where the run is too short for these errors; where
+/// K_T or c_v is not known to a quarter of itself, what is divided by it has none either.
 class ResponseFunctions {
   public:
     /// @param ensemble        of all samples

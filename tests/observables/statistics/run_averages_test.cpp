@@ -171,7 +171,7 @@ TEST_CASE("shear stress, whose sign a reflection changes, has no part of an ener
         double slow = 0.0;
         double stress = 0.0;
         for (int k = 0; k < 8192; ++k) {
-            slow = 0.99 * slow + 0.14 * normal(generator);    // 200 samples long
+            slow = 0.99 * slow + 0.14 * normal(generator);     // 200 samples long
             stress = 0.5 * stress + 0.87 * normal(generator);  // 3 samples long
             Thermodynamics sample = numbered(0.0);
             sample.potential_energy = slow;
