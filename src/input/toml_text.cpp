@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "core/text.hpp"
+#include "input/toml_mistake.hpp"
+#include "input/toml_scan.hpp"
 
 namespace ljmd {
 namespace {
@@ -25,26 +27,6 @@ Location at_offset(const std::shared_ptr<const Source>& source, std::size_t offs
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
     return {source, 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
             1 + static_cast<int>(count_characters(before.substr(line_start))), 1};
-}
-
-/// The end of the string literal that begins at `start`: after its closing quotes, or at the end of its line.
-std::size_t skip_string(std::string_view text, std::size_t start) {
-    const char quote = text[start];
-    const bool multi_line = text.substr(start).starts_with(std::string(3, quote));
-    const std::string closing(multi_line ? 3 : 1, quote);
-    for (std::size_t i = start + closing.size(); i < text.size(); ++i) {
-        if (text[i] == '\\' && quote == '"') {
-            ++i;
-        } else if (text.substr(i).starts_with(closing)) {
-            i += closing.size();
-            // A multi-line string may end in up to two quotes of its own.
-            for (int more = 0; multi_line && more < 2 && i < text.size() && text[i] == quote; ++more) ++i;
-            return i;
-        } else if (text[i] == '\n' && !multi_line) {
-            return i;
-        }
-    }
-    return text.size();
 }
 
 /// The position where brackets are nested, or a dotted key grows, deeper than max_depth; npos if there is none. The
@@ -88,77 +70,20 @@ std::size_t find_too_deep(std::string_view text) {
     return std::string_view::npos;
 }
 
-/// A syntax error of toml++, reworded for decks.
-struct Mistake {
-    std::string message;
-    std::string hint;
-    std::string token;  ///< what to underline on the line, if it can be found there
-};
-
-std::string between_quotes(std::string_view text) {
-    const std::size_t first = text.find('\'');
-    const std::size_t last = text.rfind('\'');
-    return first < last && last != std::string_view::npos ? std::string(text.substr(first + 1, last - first - 1)) : "";
-}
-
-void replace(std::string& text, std::string_view old_words, std::string_view new_words) {
-    if (const std::size_t at = text.find(old_words); at != std::string::npos) {
-        text.replace(at, old_words.size(), new_words);
-    }
-}
-
-Mistake in_own_words(std::string_view description, bool at_line_end) {
-    constexpr std::string_view prefix = "Error while parsing ";
-    if (description.starts_with(prefix)) description.remove_prefix(prefix.size());
-    const std::size_t colon = std::min(description.find(": "), description.size());
-    const std::string scope(description.substr(0, colon));
-    std::string reason(description.substr(std::min(colon + 2, description.size())));
-    const std::string token = between_quotes(reason);
-
-    // toml++ has one sentence or the other for a number like 1e400, as the standard library can read numbers or not.
-    const bool is_integer = scope.ends_with("integer");
-    if (is_integer && reason.ends_with("is not representable in 64 bits"))
-        return {"'" + token + "' does not fit in 64 bits", "", token};
-    if (reason.ends_with("could not be interpreted as a value") || reason.ends_with("is not representable in 64 bits"))
-        return {"'" + token + "' is too large for a number", "", token};
-    if (reason.starts_with("cannot redefine existing") && !token.empty() && reason.ends_with("'")) {
-        return {(scope == "table header" ? "table '" : "key '") + token + "' is given twice", "", token};
-    }
-    for (const char* like : {"expected 'true'", "expected 'false'", "expected 'inf'", "expected 'nan'"}) {
-        // A bare word that begins like one of these, such as fcc.
-        if (reason.starts_with(like)) reason = "could not determine value type";
-    }
-    std::string hint;
-    if (reason.find("could not determine value type") == 0) hint = "text needs quotes";
-    if (reason.find("expected a comment") == 0 && scope == "key-value pair") hint = "text and units need quotes";
-    if (reason.find("control characters") != std::string::npos) {
-        reason = at_line_end ? "a string must end on its line" : "control characters are not allowed";
-    }
-    replace(reason, "encountered end-of-file", "the text ends within this " + scope);
-    replace(reason, "this floating-point", "this number");
-    replace(reason, "could not determine value type", "this is no value");
-    replace(reason, "expected a comment or whitespace", "expected the end of the line");
-    replace(reason, "expected keys, tables, whitespace or comments", "expected a key or a [table]");
-    replace(reason, "saw '\\n'", "saw the end of the line");
-    return {"not valid TOML: " + reason, hint, ""};
-}
-
 void report(const toml::parse_error& error, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
     const auto begin = error.source().begin;
     Location where{source, static_cast<int>(begin.line), static_cast<int>(begin.column), 1};
     const std::string_view line = line_of(source->text, where.line);
-    const Mistake mistake =
-        in_own_words(error.description(), static_cast<std::size_t>(where.column) > count_characters(line));
-    // toml++ stops at the start of a header, or after a key or number: the token is the last one before that, if any.
     std::size_t byte = 0;
     for (int column = 1; column < where.column && byte < line.size(); ++column) {
         byte += std::max<std::size_t>(utf8_length(line.substr(byte)), 1);
     }
-    std::size_t at = line.substr(0, byte).rfind(mistake.token);
-    if (at == std::string_view::npos) at = line.find(mistake.token);
-    if (!mistake.token.empty() && at != std::string_view::npos) {
-        where.column = 1 + static_cast<int>(count_characters(line.substr(0, at)));
-        where.length = static_cast<int>(count_characters(mistake.token));
+    const TomlMistake mistake = toml_mistake(
+        source->text, static_cast<std::size_t>(line.data() - source->text.data()) + byte, error.description());
+    if (mistake.length > 0) {
+        where = at_offset(source, mistake.offset);
+        where.length =
+            static_cast<int>(count_characters(std::string_view(source->text).substr(mistake.offset, mistake.length)));
     }
     diagnostics.error(where, mistake.message, mistake.hint);
 }

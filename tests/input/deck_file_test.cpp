@@ -175,11 +175,11 @@ TEST_CASE("one mistake of the TOML gives one error with its place") {
           "d:1:10: not valid TOML: expected the end of the line, saw 'K'\n  1 | T = 86.5 K # \xC3\x85\n"
           "    |          ^ text and units need quotes");
     CHECK(mistake("[a]]").find("d:1:4: not valid TOML: expected the end of the line, saw ']'\n") == 0);
-    CHECK(mistake("[a").find("d:1:3: not valid TOML: the text ends within this table header") == 0);
+    CHECK(mistake("[a").find("d:1:3: not valid TOML: expected ']', saw the end of the text") == 0);
     CHECK(mistake("= 1").find("d:1:1: not valid TOML: expected a key or a [table], saw '='") == 0);
     CHECK(mistake("a = \"x\nb = 1").find("d:1:7: not valid TOML: a string must end on its line") == 0);
     CHECK(mistake("a = \"\x01\"").find("d:1:6: not valid TOML: control characters are not allowed") == 0);
-    CHECK(mistake("a = 1.").find("within this number") != std::string::npos);
+    CHECK(mistake("a = 1.").find("a digit must follow the point of a number") != std::string::npos);
     CHECK(mistake("a = \"\\q\"").find("unknown escape sequence '\\q'") != std::string::npos);
 }
 
@@ -188,8 +188,7 @@ TEST_CASE("a key given twice and a number that does not fit are named") {
     CHECK(mistake("steps = 1\n steps = 2\n") == "d:2:2: key 'steps' is given twice\n  2 |  steps = 2\n    |  ^^^^^");
     CHECK(mistake("x = { \"\xC3\x85\" = 1, b = 2, b = 3 }").find("d:1:23: key 'b' is given twice") == 0);
     CHECK(mistake("[a]\nb = 1\n[a]\n") == "d:3:2: table 'a' is given twice\n  3 | [a]\n    |  ^");
-    CHECK(mistake("[a]\nb = 1\n[a.b]").find("d:3:1: not valid TOML: cannot redefine existing integer 'a.b' as table") ==
-          0);
+    CHECK(mistake("[a]\nb = 1\n[a.b]").find("d:3:1: not valid TOML: ") == 0);
     CHECK(mistake("n = 9223372036854775808\n") ==
           "d:1:5: '9223372036854775808' does not fit in 64 bits\n  1 | n = 9223372036854775808\n"
           "    |     ^^^^^^^^^^^^^^^^^^^");
