@@ -1,6 +1,6 @@
 #include "analyze/deck_against_frames.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #include "analyze/position_reading.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 #include "analyze/trajectory_analyses.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

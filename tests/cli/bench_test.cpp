@@ -1,6 +1,6 @@
 #include "cli/bench.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/tables/json_text.hpp"
 #include "run/run_directory.hpp"

@@ -1,7 +1,7 @@
 #include "cli/plot_scripts.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "io/output_fixtures.hpp"

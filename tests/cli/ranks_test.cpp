@@ -1,6 +1,6 @@
 #include "cli/ranks.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"

@@ -3,11 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
 #include <functional>
 #include <thread>
+#include "catch.hpp"
 
 using namespace ljmd;
 

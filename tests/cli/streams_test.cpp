@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <csignal>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,8 +1,8 @@
 #include "compare/agreement.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "compare/small_fluid.hpp"
 #include "ljmd/model/box.hpp"

@@ -1,8 +1,8 @@
 #include "compare/ensemble_comparison.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 #include "compare/made_peer.hpp"
 

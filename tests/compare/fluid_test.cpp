@@ -1,6 +1,6 @@
 #include "compare/fluid.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "model/velocities.hpp"
 

@@ -1,7 +1,7 @@
 #include "compare/lammps_input.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
+#include "catch.hpp"
 
 #include "compare/small_fluid.hpp"
 #include "forces/every_potential.hpp"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <fstream>
+#include "catch.hpp"
 
 #include "compare/lammps.hpp"
 #include "compare/peers.hpp"

@@ -1,6 +1,6 @@
 #include "compare/openmm_expression.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "forces/every_potential.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,7 +1,7 @@
 #include "compare/openmm.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "compare/openmm_expression.hpp"
 #include "compare/openmm_module.hpp"

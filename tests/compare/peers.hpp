@@ -1,8 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
+#include "catch.hpp"
 
 #include "compare/openmm.hpp"
 #include "io/files/process.hpp"

@@ -1,7 +1,7 @@
 #include "compare/point_comparison.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "compare/small_fluid.hpp"
 #include "forces/pair_force_field.hpp"

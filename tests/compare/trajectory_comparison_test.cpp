@@ -1,8 +1,8 @@
 #include "compare/trajectory_comparison.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "compare/made_peer.hpp"
 #include "forces/pair_force_field.hpp"

@@ -1,9 +1,9 @@
 #include "ljmd/detail/core/aligned_vector.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <numeric>
 #include <thread>
+#include "catch.hpp"
 
 using namespace ljmd;
 

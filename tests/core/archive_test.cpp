@@ -1,9 +1,9 @@
 #include "ljmd/detail/core/archive.hpp"
 
 #include <Eigen/Core>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/core/aligned_vector.hpp"

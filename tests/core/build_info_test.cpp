@@ -1,9 +1,9 @@
 #include "ljmd/core/build_info.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <regex>
 #include <string>
+#include "catch.hpp"
 
 using ljmd::build_info;
 

@@ -2,13 +2,13 @@
 
 #include <xxhash.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

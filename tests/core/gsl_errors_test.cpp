@@ -2,8 +2,8 @@
 
 #include <gsl/gsl_errno.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/quadrature.hpp"
 #include "core/roots.hpp"

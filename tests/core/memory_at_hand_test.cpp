@@ -1,9 +1,9 @@
 #include "core/memory_at_hand.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstddef>
 #include <fstream>
 #include <new>
+#include "catch.hpp"
 
 namespace {
 

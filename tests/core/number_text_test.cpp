@@ -1,7 +1,7 @@
 #include "core/number_text.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 using ljmd::without_negative_zero;
 

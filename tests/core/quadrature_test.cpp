@@ -1,9 +1,9 @@
 #include "core/quadrature.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -3,12 +3,12 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/kolmogorov_smirnov.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/resize_tightly.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

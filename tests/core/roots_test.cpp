@@ -1,8 +1,8 @@
 #include "core/roots.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,8 +1,8 @@
 #include "ljmd/detail/core/taylor.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

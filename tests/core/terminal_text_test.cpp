@@ -1,6 +1,6 @@
 #include "core/terminal_text.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

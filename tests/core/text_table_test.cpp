@@ -1,7 +1,7 @@
 #include "core/text_table.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

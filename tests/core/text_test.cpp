@@ -1,7 +1,7 @@
 #include "core/text.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "deck/analysis_sense.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "deck/deck_fixtures.hpp"
 #include "deck/errors_in.hpp"

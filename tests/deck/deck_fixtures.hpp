@@ -2,13 +2,13 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/text.hpp"
 #include "deck/deck.hpp"

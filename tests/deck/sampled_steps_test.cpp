@@ -1,6 +1,6 @@
 #include "deck/sampled_steps.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "deck/deck_fixtures.hpp"
 

@@ -1,6 +1,6 @@
 #include "engine/at_temperature.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "ljmd/engine/choices.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

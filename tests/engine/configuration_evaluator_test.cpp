@@ -1,8 +1,8 @@
 #include "ljmd/engine/configuration_evaluator.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

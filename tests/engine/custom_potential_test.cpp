@@ -1,9 +1,9 @@
 // A formula of the calling program in a whole run: its own numbers are those of the same formula in the library.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "forces/pair_force_field.hpp"

@@ -1,8 +1,8 @@
 // A stage that begins at a given total energy.
 #include "ljmd/detail/engine/energy_start.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "engine/mistakes/mistakes.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/fluid_spec.hpp"

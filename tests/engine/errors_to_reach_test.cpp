@@ -1,7 +1,7 @@
 #include "engine/errors_to_reach.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 

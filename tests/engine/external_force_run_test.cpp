@@ -1,7 +1,7 @@
 // A run of a fluid under a force of the calling program: energies, momentum, checkpoints, and what it does not go with.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <stdexcept>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "engine/fluid_system.hpp"

@@ -1,6 +1,6 @@
 #include "ljmd/detail/engine/few_body_spec.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "options/placed.hpp"
 

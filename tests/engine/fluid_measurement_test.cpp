@@ -1,6 +1,6 @@
 #include "engine/fluid_measurement.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,9 +1,9 @@
 #include "ljmd/engine/fluid_spec.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include "catch.hpp"
 
 #include "core/text.hpp"
 #include "engine/engine_fixtures.hpp"

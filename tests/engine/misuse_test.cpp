@@ -1,10 +1,10 @@
 // What the user of the library can do wrong ends in an Error, never in a ContractViolation.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "integrators/barostat.hpp"

@@ -1,6 +1,6 @@
 #include "ljmd/detail/engine/phase_seconds.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

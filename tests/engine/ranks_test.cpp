@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "execution/rank_team.hpp"

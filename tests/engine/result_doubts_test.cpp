@@ -1,9 +1,9 @@
 #include "engine/result_doubts.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 

@@ -1,6 +1,6 @@
 #include "ljmd/engine/run_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,6 +1,6 @@
 #include "engine/sampled_analyses.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "engine/engine_fixtures.hpp"

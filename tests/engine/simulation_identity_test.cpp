@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "forces/made_external_force.hpp"

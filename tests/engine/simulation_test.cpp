@@ -1,6 +1,6 @@
 #include "ljmd/engine/simulation.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <functional>
 #include <limits>

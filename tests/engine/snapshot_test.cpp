@@ -1,6 +1,6 @@
 #include "ljmd/engine/snapshot.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 #include "engine/fluid_system.hpp"

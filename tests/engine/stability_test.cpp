@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/loops.hpp"
 #include "execution/test_execution.hpp"

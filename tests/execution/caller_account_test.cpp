@@ -1,6 +1,6 @@
 #include "execution/caller_account.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using namespace std::chrono_literals;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

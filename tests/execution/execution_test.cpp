@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "execution/loops.hpp"

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 

@@ -1,6 +1,6 @@
 #include "execution/launched_ranks.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 

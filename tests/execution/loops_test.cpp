@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 

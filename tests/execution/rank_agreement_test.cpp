@@ -1,10 +1,10 @@
 #include "execution/rank_agreement.hpp"
 
-#include <catch2/catch.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/rank_team.hpp"
 #include "ljmd/core/errors.hpp"

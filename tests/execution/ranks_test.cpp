@@ -1,10 +1,10 @@
 #include "execution/ranks.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/loops.hpp"
 #include "execution/rank_team.hpp"

@@ -1,9 +1,9 @@
 #include "ljmd/detail/execution/simd.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"

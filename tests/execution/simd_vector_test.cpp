@@ -1,12 +1,12 @@
 #include "execution/simd_vector.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

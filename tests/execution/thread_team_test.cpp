@@ -7,7 +7,6 @@
 
 #include <array>
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <cstdint>
 #include <numeric>
@@ -15,6 +14,7 @@
 #include <string>
 #include <thread>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Contains;

@@ -1,7 +1,7 @@
 #include "execution/threads.hpp"
 
-#include <catch2/catch.hpp>
 #include <string>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,7 +1,7 @@
 #include "forces/atom_energies.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
+#include "catch.hpp"
 
 #include "forces/evaluated.hpp"
 #include "forces/every_potential.hpp"

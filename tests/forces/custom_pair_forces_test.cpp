@@ -1,4 +1,4 @@
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "forces/evaluated.hpp"
 #include "forces/every_potential.hpp"

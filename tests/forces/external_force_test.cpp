@@ -1,7 +1,7 @@
 #include "ljmd/forces/external_force.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "forces/evaluated.hpp"
 #include "forces/made_external_force.hpp"

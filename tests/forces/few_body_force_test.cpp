@@ -1,8 +1,8 @@
 #include "forces/few_body_force.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "forces/made_few_body_force.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,10 +1,10 @@
 #include "forces/force_sum.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "forces/pair_force_field.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "forces/evaluated.hpp"
 #include "forces/every_potential.hpp"

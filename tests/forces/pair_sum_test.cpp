@@ -1,7 +1,7 @@
 #include "forces/pair_sum.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/detail/potentials/pair_term.hpp"
 

@@ -3,8 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <fstream>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "io/parsed_deck.hpp"

@@ -1,6 +1,6 @@
 #include "input/deck_reference.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "input/deck_setting.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "input/deck_file.hpp"
 #include "io/parsed_deck.hpp"

@@ -1,6 +1,6 @@
 #include "input/json_schema.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/tables/json_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "input/reduced_number.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

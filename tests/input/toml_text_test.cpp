@@ -1,6 +1,6 @@
 #include "input/toml_text.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "core/text.hpp"
 

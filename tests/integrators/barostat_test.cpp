@@ -1,7 +1,7 @@
 #include "integrators/barostat.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/options/registry.hpp"

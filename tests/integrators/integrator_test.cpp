@@ -1,7 +1,7 @@
 #include "integrators/integrator.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"

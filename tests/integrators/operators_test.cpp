@@ -1,6 +1,6 @@
 #include "integrators/operators.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"

@@ -3,9 +3,9 @@
 #include <gsl/gsl_sf_ellint.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "forces/made_few_body_force.hpp"
 #include "integrators/three_bodies.hpp"

@@ -1,6 +1,6 @@
 #include "integrators/relaxation.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "forces/pair_force_field.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,8 +1,8 @@
 #include "integrators/thermostat.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"

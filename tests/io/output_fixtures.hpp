@@ -2,12 +2,12 @@
 
 #include <sys/resource.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include "catch.hpp"
 
 #include "io/files/scratch_directory.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "input/deck_file.hpp"
 

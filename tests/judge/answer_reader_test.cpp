@@ -1,7 +1,7 @@
 #include "judge/answer_reader.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "judge/small_problem.hpp"

@@ -1,8 +1,8 @@
 #include "judge/energy_walk.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "judge/engine_command.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

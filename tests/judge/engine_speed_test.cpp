@@ -1,7 +1,7 @@
 #include "judge/engine_speed.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

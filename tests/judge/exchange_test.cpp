@@ -1,6 +1,6 @@
 #include "judge/exchange.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "integrators/thermostat.hpp"
 #include "io/output_fixtures.hpp"

@@ -1,7 +1,7 @@
 #include "judge/few_digits.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 using namespace ljmd;
 

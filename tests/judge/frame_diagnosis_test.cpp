@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <utility>
+#include "catch.hpp"
 
 #include "judge/right_trajectory.hpp"
 

@@ -1,6 +1,6 @@
 #include "judge/frame_judgement.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "judge/point_judgement.hpp"
 

@@ -1,6 +1,6 @@
 #include "judge/judge.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "judge/own_run.hpp"
 #include "judge/point_judgement.hpp"

@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "judge/near_pairs.hpp"
 #include "judge/right_trajectory.hpp"

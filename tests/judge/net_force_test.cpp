@@ -1,6 +1,6 @@
 #include "judge/net_force.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::StartsWith;

@@ -1,6 +1,6 @@
 #include "judge/own_run.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "judge/point_judgement.hpp"
 #include "judge/small_problem.hpp"

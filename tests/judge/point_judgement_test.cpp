@@ -1,6 +1,6 @@
 #include "judge/point_judgement.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "judge/row_judgement.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "judge/failed_checks.hpp"
 #include "judge/own_run.hpp"

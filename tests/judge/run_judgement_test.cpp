@@ -3,9 +3,9 @@
 #include "judge/own_run.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,7 +1,7 @@
 #include "judge/velocity_diagnosis.hpp"
 
-#include <catch2/catch.hpp>
 #include <functional>
+#include "catch.hpp"
 
 #include "judge/right_trajectory.hpp"
 

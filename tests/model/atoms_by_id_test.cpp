@@ -1,7 +1,7 @@
 #include "model/atoms_by_id.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
+#include "catch.hpp"
 
 #include "execution/rank_team.hpp"
 #include "ljmd/core/errors.hpp"

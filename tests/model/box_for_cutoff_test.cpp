@@ -1,6 +1,6 @@
 #include "model/box_for_cutoff.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

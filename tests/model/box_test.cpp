@@ -1,10 +1,10 @@
 #include "ljmd/model/box.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

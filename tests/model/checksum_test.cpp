@@ -1,8 +1,8 @@
 #include "model/checksum.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/model/lattice.hpp"

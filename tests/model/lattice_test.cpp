@@ -1,8 +1,8 @@
 #include "ljmd/model/lattice.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

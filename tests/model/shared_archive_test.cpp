@@ -1,8 +1,8 @@
 #include "model/shared_archive.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 #include <numeric>
+#include "catch.hpp"
 
 #include "execution/rank_team.hpp"
 

@@ -1,12 +1,12 @@
 #include "model/velocities.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "neighbors/all_pairs.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "neighbors/ghost_exchange.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <mutex>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/model/lattice.hpp"
 #include "model/shared_state.hpp"

@@ -1,10 +1,10 @@
 #include "neighbors/column_sort.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <tuple>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"

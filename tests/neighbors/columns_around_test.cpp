@@ -1,10 +1,10 @@
 #include "neighbors/columns_around.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <tuple>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/random.hpp"
 #include "neighbors/sample_states.hpp"

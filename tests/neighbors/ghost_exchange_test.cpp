@@ -1,8 +1,8 @@
 #include "neighbors/ghost_exchange.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"

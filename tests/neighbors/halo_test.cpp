@@ -1,8 +1,8 @@
 #include "neighbors/halo.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/model/lattice.hpp"
 #include "model/shared_state.hpp"

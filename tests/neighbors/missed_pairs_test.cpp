@@ -1,10 +1,10 @@
 #include "neighbors/missed_pairs.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/random.hpp"
 #include "model/shared_state.hpp"

@@ -1,7 +1,7 @@
 #include "ljmd/detail/neighbors/near_pairs.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,6 +1,6 @@
 #include "neighbors/pair_search.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,8 +1,8 @@
 #include "neighbors/tile_order.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "neighbors/tile_positions.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "neighbors/fixed_point.hpp"
 #include "neighbors/sample_states.hpp"

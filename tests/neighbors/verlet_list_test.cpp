@@ -1,7 +1,6 @@
 #include "neighbors/verlet_list.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/random.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,8 +1,8 @@
 #include "ljmd/detail/observables/analysis.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "execution/test_execution.hpp"

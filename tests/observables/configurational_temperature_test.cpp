@@ -1,6 +1,6 @@
 #include "observables/configurational_temperature.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"

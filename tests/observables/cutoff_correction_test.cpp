@@ -1,9 +1,9 @@
 #include "observables/cutoff_correction.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "forces/pair_force_field.hpp"
 #include "ljmd/detail/observables/thermodynamics.hpp"

@@ -1,11 +1,11 @@
 #include "observables/fourier.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <future>
 #include <numbers>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

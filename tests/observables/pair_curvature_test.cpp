@@ -1,8 +1,8 @@
 #include "observables/pair_curvature.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "forces/pair_force_field.hpp"

@@ -1,7 +1,7 @@
 #include "observables/pairs_too_near.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 #include "potentials/pair_table.hpp"

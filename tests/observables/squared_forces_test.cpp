@@ -1,6 +1,6 @@
 #include "observables/squared_forces.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "ljmd/detail/observables/thermodynamics.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "forces/pair_force_field.hpp"
 #include "model/velocities.hpp"

@@ -1,6 +1,6 @@
 #include "observables/time_step_error.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

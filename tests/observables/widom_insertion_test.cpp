@@ -1,7 +1,7 @@
 #include "observables/widom_insertion.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "ljmd/potentials/second_virial.hpp"

@@ -1,7 +1,7 @@
 #include "ljmd/detail/options/description.hpp"
 
-#include <catch2/catch.hpp>
 #include <memory>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/options/section.hpp"

@@ -1,6 +1,6 @@
 #include "options/key_paths.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "ljmd/detail/options/registry.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

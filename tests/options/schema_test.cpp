@@ -1,6 +1,6 @@
 #include "ljmd/detail/options/schema.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/options/section.hpp"

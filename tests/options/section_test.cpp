@@ -1,7 +1,7 @@
 #include "ljmd/detail/options/section.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

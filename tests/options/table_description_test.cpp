@@ -1,7 +1,7 @@
 #include "ljmd/detail/options/table_description.hpp"
 
-#include <catch2/catch.hpp>
 #include <memory>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "options/placed.hpp"

@@ -1,7 +1,7 @@
 #include "options/toml_writer.hpp"
 
-#include <catch2/catch.hpp>
 #include <memory>
+#include "catch.hpp"
 
 #include "input/toml_text.hpp"
 #include "ljmd/options/settings.hpp"

@@ -1,6 +1,6 @@
 #include "ljmd/detail/options/value.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "options/words_elsewhere.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Contains;

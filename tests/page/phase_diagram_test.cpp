@@ -1,6 +1,6 @@
 #include "page/phase_diagram.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/reference/fluid_phase.hpp"
 

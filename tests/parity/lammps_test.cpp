@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include "catch.hpp"
 
 #include "cli/command_words.hpp"
 #include "compare/lammps.hpp"

@@ -1,8 +1,8 @@
 // ljmd against OpenMM in the same process: one configuration and trajectories, for every potential, state and path, and
 // the mistakes that must not pass.
-#include <catch2/catch.hpp>
 #include <map>
 #include <tuple>
+#include "catch.hpp"
 
 #include "compare/openmm.hpp"
 #include "compare/point_comparison.hpp"

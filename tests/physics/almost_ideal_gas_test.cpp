@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"

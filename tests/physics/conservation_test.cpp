@@ -1,7 +1,7 @@
 // What velocity Verlet conserves on a Lennard-Jones liquid, and how well.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

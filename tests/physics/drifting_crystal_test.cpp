@@ -1,6 +1,6 @@
 // A crystal whose centre of mass a thermostat moves: its order, and the motion of its atoms, are those about the
 // centre.
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"

@@ -5,9 +5,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
+#include "catch.hpp"
 
 #include "core/kolmogorov_smirnov.hpp"
 #include "integrators/oscillator.hpp"

@@ -1,8 +1,8 @@
 // Laws of atoms in an external field: order of the energy's error, equipartition, Boltzmann's distribution, a drive.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "forces/made_external_force.hpp"
 #include "integrators/integrator.hpp"

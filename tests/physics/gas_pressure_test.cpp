@@ -2,8 +2,8 @@
 // 32 atoms, so that a mistake of the order 1/N is one of 3 %.
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/text.hpp"
 #include "deck/deck_fixtures.hpp"

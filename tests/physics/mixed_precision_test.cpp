@@ -1,7 +1,7 @@
 // What mixed precision conserves and how near it stays to double. Its gates are wider than those of double by what a
 // single-precision pair term is worth.
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

@@ -1,11 +1,11 @@
 // NIST's reference calculations for the Lennard-Jones fluid: energy, virial and tail of four configurations, to the
 // printed digits. Source: NIST Standard Reference Simulation Website, doi:10.18434/T4M88Q.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "io/formats/configuration_reader.hpp"
 #include "ljmd/detail/potentials/tail_correction.hpp"

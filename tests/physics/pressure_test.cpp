@@ -1,6 +1,6 @@
 // The virial pressure is -dU/dV, and its tensor the response to stretching one edge.
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

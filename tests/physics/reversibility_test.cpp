@@ -1,5 +1,5 @@
 // Newton's equations run backwards: after n steps, reversed velocities lead back to the start.
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

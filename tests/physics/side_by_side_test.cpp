@@ -1,8 +1,8 @@
 // Simulations with other threads, SIMD levels and precisions in one process change no bit of each other.
-#include <catch2/catch.hpp>
 #include <thread>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "observables/structure/order_parameter.hpp"
 #include "observables/structure/pair_histogram.hpp"

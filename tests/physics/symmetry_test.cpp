@@ -1,10 +1,10 @@
 // Forces do not depend on where the box begins, which image an atom is, how axes are called, or in which order atoms
 // are numbered.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <functional>
 #include <numeric>
 #include <random>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

@@ -1,6 +1,6 @@
 // The number of threads changes no bit of a run: lists, ghosts, forces, sums, motion and what is measured alike.
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/detail/observables/thermodynamics.hpp"
 #include "observables/structure/order_parameter.hpp"

@@ -1,7 +1,7 @@
 // How often the interval mean +- error of a run that has ended at an error covers the truth.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/ljmd.hpp"
 

@@ -1,7 +1,7 @@
 // The integrators of the Verlet family move a Lennard-Jones liquid along the same trajectory, and one of them back
 // along it to the last bit.
-#include <catch2/catch.hpp>
 #include <string>
+#include "catch.hpp"
 
 #include "physics/liquid.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <random>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "potentials/made_potential.hpp"
 

@@ -2,12 +2,12 @@
 #include "ljmd/potentials/pair_potential.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <random>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "potentials/closed_form.hpp"

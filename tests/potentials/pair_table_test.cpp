@@ -1,8 +1,8 @@
 #include "potentials/pair_table.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/potentials/formulas/lennard_jones.hpp"

@@ -1,6 +1,6 @@
 #include "potentials/potential_identity.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "potentials/twelve_six.hpp"
 

@@ -1,10 +1,10 @@
 #include "ljmd/potentials/second_virial.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "potentials/made_potential.hpp"

@@ -1,6 +1,6 @@
 #include "potentials/tabulated_pair.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "potentials/pair_table.hpp"

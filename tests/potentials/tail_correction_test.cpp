@@ -1,12 +1,12 @@
 #include "ljmd/detail/potentials/tail_correction.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include "catch.hpp"
 
 #include "potentials/made_potential.hpp"
 

@@ -1,7 +1,7 @@
 #include "reference/canonical_size.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

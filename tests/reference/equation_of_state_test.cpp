@@ -1,10 +1,10 @@
 #include "ljmd/detail/reference/equation_of_state.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/options/registry.hpp"

@@ -1,6 +1,6 @@
 #include "reference/equation_report.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "reference/equation_doubts.hpp"

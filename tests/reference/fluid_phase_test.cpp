@@ -1,6 +1,6 @@
 #include "ljmd/reference/fluid_phase.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

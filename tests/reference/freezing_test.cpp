@@ -1,8 +1,8 @@
 #include "ljmd/detail/reference/freezing.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

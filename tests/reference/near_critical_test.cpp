@@ -1,10 +1,10 @@
 #include "reference/near_critical.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/reference/pressure_states.hpp"

@@ -1,7 +1,7 @@
 #include "ljmd/detail/reference/phase_equilibrium.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,8 +1,8 @@
 #include "ljmd/reference/pressure_states.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

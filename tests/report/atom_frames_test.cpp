@@ -1,7 +1,7 @@
 #include "report/atom_frames.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

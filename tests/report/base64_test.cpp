@@ -1,7 +1,7 @@
 #include "report/base64.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdint>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "report/body_tracks.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "report/equation_curve.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/detail/reference/equation_of_state.hpp"
 

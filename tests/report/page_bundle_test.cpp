@@ -1,7 +1,7 @@
 #include <fstream>
 #include <iterator>
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "report/page.hpp"
 

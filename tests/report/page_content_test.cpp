@@ -1,7 +1,7 @@
 #include "report/page_content.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "report/quantity_names.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "report/reference_errors.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 using namespace ljmd;
 

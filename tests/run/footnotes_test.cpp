@@ -1,6 +1,6 @@
 #include "run/footnotes.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "ljmd/detail/run/interruption.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,7 +1,7 @@
 #include "study/error_in_brackets.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

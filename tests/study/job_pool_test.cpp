@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <map>
+#include "catch.hpp"
 
 #include "io/files/claimed_file.hpp"
 #include "io/output_fixtures.hpp"

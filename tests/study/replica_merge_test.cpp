@@ -1,10 +1,10 @@
 #include "study/replica_merge.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/observables/statistics/blocking.hpp"
 

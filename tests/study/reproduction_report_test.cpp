@@ -1,7 +1,7 @@
 #include "study/reproduction_report.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

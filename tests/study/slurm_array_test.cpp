@@ -1,8 +1,8 @@
 #include "study/slurm_array.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "io/files/process.hpp"

@@ -1,7 +1,7 @@
 #include "study/sweep_points.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

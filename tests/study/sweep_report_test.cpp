@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <sstream>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;

@@ -1,6 +1,6 @@
 #include "cli/judge/judge_command.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

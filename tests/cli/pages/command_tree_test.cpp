@@ -1,6 +1,6 @@
 #include "cli/pages/command_tree.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "cli/pages/made_tree.hpp"
 

@@ -1,6 +1,6 @@
 #include "cli/pages/completion.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "cli/pages/made_tree.hpp"
 #include "ljmd/core/errors.hpp"

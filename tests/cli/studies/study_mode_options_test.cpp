@@ -1,7 +1,7 @@
 #include "cli/studies/study_mode_options.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "compare/openmm_module.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,4 +1,4 @@
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "compare/openmm.hpp"
 #include "compare/small_fluid.hpp"

@@ -1,7 +1,7 @@
 #include "compare/openmm/openmm_system.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "compare/small_fluid.hpp"
 #include "ljmd/core/errors.hpp"

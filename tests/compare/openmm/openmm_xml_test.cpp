@@ -1,9 +1,9 @@
 #include <OpenMM.h>
 #include <openmm/serialization/XmlSerializer.h>
 
-#include <catch2/catch.hpp>
 #include <memory>
 #include <sstream>
+#include "catch.hpp"
 
 #include "compare/openmm.hpp"
 #include "compare/small_fluid.hpp"

@@ -1,6 +1,6 @@
 #include "engine/mistakes/mistakes.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "engine/engine_fixtures.hpp"
 

@@ -1,8 +1,8 @@
 #include "engine/verification/digits.hpp"
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/execution/simd.hpp"

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "forces/made_few_body_force.hpp"
 

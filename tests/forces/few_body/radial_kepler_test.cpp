@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "forces/made_few_body_force.hpp"
 #include "ljmd/core/errors.hpp"

@@ -2,10 +2,10 @@
 #include <immintrin.h>
 #endif
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <string>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "forces/every_potential.hpp"

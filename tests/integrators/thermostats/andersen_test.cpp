@@ -1,7 +1,7 @@
 #include <gsl/gsl_cdf.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/kolmogorov_smirnov.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"

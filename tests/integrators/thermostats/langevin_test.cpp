@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/random.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"

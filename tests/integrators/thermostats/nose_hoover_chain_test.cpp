@@ -1,8 +1,8 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "core/kolmogorov_smirnov.hpp"
 #include "integrators/oscillator.hpp"

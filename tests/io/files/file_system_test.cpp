@@ -1,8 +1,8 @@
 #include "io/files/file_system.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
+#include "catch.hpp"
 
 #include "io/files/scratch_directory.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,6 +1,6 @@
 #include "io/files/gzip_input.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <iterator>
 #include <random>

@@ -4,8 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <string>
+#include "catch.hpp"
 
 #include "io/written_file.hpp"
 

@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -7,9 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "io/files/pipe.hpp"

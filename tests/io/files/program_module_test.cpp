@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/files/file_system.hpp"
 #include "ljmd/core/errors.hpp"

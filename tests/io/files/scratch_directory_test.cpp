@@ -3,11 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
 #include <fstream>
 #include <thread>
+#include "catch.hpp"
 
 #include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"

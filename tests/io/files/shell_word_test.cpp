@@ -1,6 +1,6 @@
 #include "io/files/shell_word.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/files/input_file.hpp"
 #include "io/files/process.hpp"

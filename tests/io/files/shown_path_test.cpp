@@ -1,6 +1,6 @@
 #include "io/files/shown_path.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

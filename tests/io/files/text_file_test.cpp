@@ -1,6 +1,6 @@
 #include "io/files/text_file.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/gzipped.hpp"
 #include "io/written_file.hpp"

@@ -1,6 +1,6 @@
 #include "io/formats/ase_units.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #include "io/formats/atom_rows.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "io/two_atoms.hpp"
 #include "io/written_file.hpp"

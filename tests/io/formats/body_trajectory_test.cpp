@@ -1,6 +1,6 @@
 #include "io/formats/body_trajectory.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/tables/data_table_csv.hpp"
 #include "io/written_file.hpp"

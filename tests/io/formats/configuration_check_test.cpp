@@ -1,7 +1,7 @@
 #include "io/formats/configuration_check.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "io/two_atoms.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <sys/stat.h>
 
-#include <catch2/catch.hpp>
 #include <functional>
 #include <random>
+#include "catch.hpp"
 
 #include "io/formats/trajectory_writer.hpp"
 #include "io/gzipped.hpp"

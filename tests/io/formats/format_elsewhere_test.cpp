@@ -1,6 +1,6 @@
 #include "io/formats/format_elsewhere.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using namespace std::string_literals;

@@ -1,7 +1,7 @@
 #include "io/formats/frame_unwrapper.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "io/formats/h5md_reader.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "io/formats/trajectory_writer.hpp"
 #include "io/hdf5/hdf5_output.hpp"

@@ -1,6 +1,6 @@
 #include "io/formats/h5md_units.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/hdf5/hdf5_output.hpp"
 #include "io/output_fixtures.hpp"

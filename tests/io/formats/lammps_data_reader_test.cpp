@@ -1,6 +1,6 @@
 #include "io/formats/lammps_data_reader.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/written_file.hpp"
 

@@ -1,7 +1,7 @@
 #include "io/formats/lammps_dump.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/written_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "io/formats/lammps_dump_writer.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/formats/lammps_dump.hpp"
 #include "io/output_fixtures.hpp"

@@ -1,6 +1,6 @@
 #include "io/formats/one_kind.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,10 +1,10 @@
 #include "io/formats/row_writer.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "io/files/scratch_directory.hpp"

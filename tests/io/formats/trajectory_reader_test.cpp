@@ -1,7 +1,7 @@
 #include "io/formats/trajectory_reader.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/formats/trajectory_writer.hpp"
 #include "io/gzipped.hpp"

@@ -1,6 +1,6 @@
 #include "io/hdf5/hdf5_handle.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "io/hdf5/hdf5_input.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/hdf5/hdf5_output.hpp"
 #include "io/output_fixtures.hpp"

@@ -1,6 +1,6 @@
 #include "../../../src/io/hdf5/hdf5_memory_file.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/hdf5/hdf5_handle.hpp"
 #include "io/output_fixtures.hpp"

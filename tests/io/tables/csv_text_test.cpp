@@ -1,6 +1,6 @@
 #include "io/tables/csv_text.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 using Fields = std::vector<std::string>;

@@ -1,6 +1,6 @@
 #include "io/tables/data_list_csv.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

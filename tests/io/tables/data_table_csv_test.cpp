@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <charconv>
 #include <clocale>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "io/files/text_file.hpp"
 #include "io/written_file.hpp"

@@ -1,6 +1,6 @@
 #include "io/tables/few_body_columns.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "io/tables/few_body_csv.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

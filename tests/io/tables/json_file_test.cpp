@@ -1,7 +1,7 @@
 #include "io/tables/json_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 #include "io/tables/json_text.hpp"
 #include "io/written_file.hpp"

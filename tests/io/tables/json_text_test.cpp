@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "io/tables/pair_table_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "io/written_file.hpp"

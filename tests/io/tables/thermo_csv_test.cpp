@@ -1,10 +1,10 @@
 #include "io/tables/thermo_csv.hpp"
 
-#include <catch2/catch.hpp>
 #include <charconv>
 #include <map>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

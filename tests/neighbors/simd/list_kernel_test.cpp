@@ -1,4 +1,4 @@
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/detail/options/section.hpp"

@@ -1,9 +1,9 @@
 #include "observables/dynamics/hydrodynamic_modes.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/detail/observables/analysis.hpp"
 #include "ljmd/model/box.hpp"

@@ -1,9 +1,9 @@
 #include <Eigen/Cholesky>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "observables/dynamics/scattering.hpp"
 #include "scattering_box.hpp"

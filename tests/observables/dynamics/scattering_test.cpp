@@ -1,10 +1,10 @@
 #include "observables/dynamics/scattering.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "ideal_gas.hpp"
 #include "scattering_box.hpp"

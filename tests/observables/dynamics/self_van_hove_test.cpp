@@ -1,8 +1,8 @@
 #include "observables/dynamics/self_van_hove.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ideal_gas.hpp"
 #include "ljmd/core/errors.hpp"

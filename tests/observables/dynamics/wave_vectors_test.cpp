@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

@@ -1,7 +1,7 @@
 #include "observables/few_body/closest_approach.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "observables/kepler.hpp"

@@ -1,6 +1,6 @@
 #include "observables/few_body/few_body_analysis.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

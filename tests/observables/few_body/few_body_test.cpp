@@ -1,7 +1,7 @@
 #include "ljmd/detail/observables/few_body/few_body.hpp"
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "model/velocities.hpp"
 

@@ -1,10 +1,10 @@
 #include "observables/few_body/orbital_elements.hpp"
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "observables/kepler.hpp"

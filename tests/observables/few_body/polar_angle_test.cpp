@@ -1,7 +1,7 @@
 #include "observables/few_body/polar_angle.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "observables/few_body/sign_changes.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
+#include "catch.hpp"
 
 using ljmd::SignChanges;
 

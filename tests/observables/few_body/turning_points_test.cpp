@@ -1,9 +1,9 @@
 #include "observables/few_body/turning_points.hpp"
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "observables/kepler.hpp"

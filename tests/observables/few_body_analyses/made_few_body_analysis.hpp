@@ -1,12 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 #include "forces/made_few_body_force.hpp"
 #include "observables/few_body/few_body_analysis.hpp"

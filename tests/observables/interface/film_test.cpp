@@ -1,8 +1,8 @@
 #include "observables/interface/film.hpp"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <random>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 

@@ -1,10 +1,10 @@
 #include "observables/response/response_functions.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "ljmd/detail/observables/thermodynamics.hpp"

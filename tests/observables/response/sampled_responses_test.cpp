@@ -1,6 +1,6 @@
 #include "observables/response/sampled_responses.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "forces/pair_force_field.hpp"
 #include "ljmd/detail/observables/thermodynamics.hpp"

@@ -1,9 +1,9 @@
 #include "observables/simd/cosine_kernel.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "ljmd/detail/core/aligned_vector.hpp"
 

@@ -1,9 +1,9 @@
 #include "observables/simd/histogram_kernel.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/detail/execution/simd.hpp"
 #include "ljmd/model/box.hpp"

@@ -1,11 +1,11 @@
 #include "ljmd/observables/statistics/blocking.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 

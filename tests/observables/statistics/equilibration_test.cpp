@@ -1,10 +1,10 @@
 #include "observables/statistics/equilibration.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

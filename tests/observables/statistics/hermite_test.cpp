@@ -1,7 +1,7 @@
 #include "observables/statistics/hermite.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/types.hpp"
 

@@ -1,8 +1,8 @@
 #include "ljmd/detail/observables/statistics/jackknife_blocks.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "ljmd/core/errors.hpp"

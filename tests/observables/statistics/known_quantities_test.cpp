@@ -1,7 +1,7 @@
 #include "observables/statistics/known_quantities.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/observables/analysis.hpp"

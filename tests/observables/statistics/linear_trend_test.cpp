@@ -1,9 +1,9 @@
 #include "observables/statistics/linear_trend.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
+#include "catch.hpp"
 
 using ljmd::Archive;
 using ljmd::CheckpointError;

@@ -1,7 +1,7 @@
 #include "ljmd/detail/observables/statistics/observable_average.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

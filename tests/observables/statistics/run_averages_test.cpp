@@ -1,9 +1,9 @@
 #include "ljmd/detail/observables/statistics/run_averages.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 #include "observables/response/response_functions.hpp"
 #include "observables/statistics/known_quantities.hpp"

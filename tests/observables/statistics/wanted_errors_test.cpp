@@ -1,11 +1,11 @@
 #include "ljmd/detail/observables/statistics/wanted_errors.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 using ljmd::BlockingAccumulator;
 using ljmd::Covariance;

@@ -1,11 +1,11 @@
 #include "observables/structure/coordination_number.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 

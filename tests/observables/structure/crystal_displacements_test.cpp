@@ -1,9 +1,9 @@
 #include "observables/structure/crystal_displacements.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 

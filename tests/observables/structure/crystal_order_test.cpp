@@ -1,10 +1,10 @@
 #include "observables/structure/crystal_order.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <random>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 

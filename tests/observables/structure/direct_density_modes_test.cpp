@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 #include "observables/structure/density_modes.hpp"

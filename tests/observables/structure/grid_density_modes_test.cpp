@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,8 +1,8 @@
 #include "observables/structure/order_parameter.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 

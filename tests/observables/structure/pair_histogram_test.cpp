@@ -1,6 +1,6 @@
 #include "observables/structure/pair_histogram.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,7 +1,7 @@
 #include "observables/structure/radial_distribution.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 #include "neighbors/verlet_list.hpp"

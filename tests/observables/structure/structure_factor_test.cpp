@@ -1,8 +1,8 @@
 #include "observables/structure/structure_factor.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "execution/test_execution.hpp"

@@ -1,6 +1,6 @@
 #include "observables/transport/centre_frame.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 

@@ -1,8 +1,8 @@
 #include "observables/transport/correlation_windows.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "execution/test_execution.hpp"

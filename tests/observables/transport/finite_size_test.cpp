@@ -1,8 +1,8 @@
 #include "observables/transport/finite_size.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,8 +1,8 @@
 #include "observables/transport/green_kubo_averages.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 

@@ -1,8 +1,8 @@
 #include "observables/transport/green_kubo.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,7 +1,7 @@
 #include "observables/transport/heat_flux_autocorrelation.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "model/velocities.hpp"
 #include "neighbors/sample_states.hpp"

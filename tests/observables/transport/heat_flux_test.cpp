@@ -1,8 +1,8 @@
 #include "observables/transport/heat_flux.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "model/velocities.hpp"

@@ -1,9 +1,9 @@
 #include "observables/transport/lag_times.hpp"
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+#include "catch.hpp"
 
 using namespace ljmd;
 

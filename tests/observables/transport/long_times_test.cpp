@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <catch2/catch.hpp>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,8 +1,8 @@
 #include "observables/transport/mean_square_displacement.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "ljmd/core/errors.hpp"

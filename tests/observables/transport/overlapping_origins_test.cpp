@@ -1,10 +1,10 @@
 #include "observables/transport/overlapping_origins.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <vector>
+#include "catch.hpp"
 
 #include "neighbors/sample_states.hpp"
 #include "observables/transport/mean_square_displacement.hpp"

@@ -1,8 +1,8 @@
 #include "observables/transport/pressure_autocorrelation.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,6 +1,6 @@
 #include "observables/transport/time_origins.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,10 +1,10 @@
 #include "observables/transport/velocity_autocorrelation.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
+#include "catch.hpp"
 
 #include "core/through_archive.hpp"
 #include "neighbors/sample_states.hpp"

@@ -1,4 +1,4 @@
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "ljmd/detail/reference/equation_of_state.hpp"
 

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "report/pages/study_pages.hpp"

@@ -1,6 +1,6 @@
 #include "report/pages/set_page.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
 #include "run/given/given_record.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "io/tables/pair_table_file.hpp"

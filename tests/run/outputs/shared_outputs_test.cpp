@@ -1,7 +1,7 @@
 #include "run/outputs/shared_outputs.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
+#include "catch.hpp"
 
 #include "execution/rank_team.hpp"
 #include "ljmd/detail/run/interruption.hpp"

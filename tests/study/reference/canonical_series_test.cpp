@@ -1,8 +1,8 @@
 #include "study/reference/canonical_series.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "study/reference/made_reference.hpp"

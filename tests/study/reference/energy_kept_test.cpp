@@ -1,7 +1,7 @@
 #include "study/reference/energy_kept.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
+#include "catch.hpp"
 
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"

@@ -1,7 +1,7 @@
 #include "study/reference/merged_observables.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "study/reference/made_reference.hpp"

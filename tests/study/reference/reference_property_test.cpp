@@ -1,7 +1,7 @@
 #include "study/reference/reference_property.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "observables/statistics/known_quantities.hpp"

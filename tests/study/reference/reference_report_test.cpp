@@ -1,6 +1,6 @@
 #include "study/reference/reference_report.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include "io/tables/json_text.hpp"
 #include "study/reference/made_reference.hpp"

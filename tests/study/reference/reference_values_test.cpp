@@ -1,8 +1,8 @@
 #include "study/reference/reference_values.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numbers>
+#include "catch.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/detail/potentials/tail_correction.hpp"
