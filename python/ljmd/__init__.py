@@ -35,12 +35,14 @@ if TYPE_CHECKING:  # what type checkers see, `X as X` for those that are strict;
     from .external import external_force as external_force
     from .frames import Frames as Frames
     from .observables import observable as observable
+    from .opening import open as open, resume as resume  # noqa: A004, ljmd.open
     from .pictures import style as style
     from .potentials import Pair as Pair, pair as pair
     from .reading.observables import Observable as Observable, Quantity as Quantity
     from .reference_values import Reference as Reference, ReferenceValue as ReferenceValue, reference as reference
     from .replicas import Replicas as Replicas
-    from .results import Results as Results, Run as Run, open as open, resume as resume  # noqa: A004, ljmd.open
+    from .results import Results as Results
+    from .runs import Run as Run
     from .simulation import Arrays as Arrays, Simulation as Simulation
     from .sweeps import Point as Point, Sweep as Sweep, open_sweep as open_sweep
     from .tables import ARGON as ARGON, PotentialTable as PotentialTable, Stage as Stage, Table as Table
@@ -59,12 +61,14 @@ _PLACES = {
     "external": ("external_force",),
     "frames": ("Frames",),
     "observables": ("observable",),
+    "opening": ("open", "resume"),
     "pictures": ("style",),
     "potentials": ("Pair", "pair"),
     "reading.observables": ("Observable", "Quantity"),
     "reference_values": ("Reference", "ReferenceValue", "reference"),
     "replicas": ("Replicas",),
-    "results": ("Results", "Run", "open", "resume"),
+    "results": ("Results",),
+    "runs": ("Run",),
     "simulation": ("Arrays", "Simulation"),
     "sweeps": ("Point", "Sweep", "open_sweep"),
     "tables": ("ARGON", "PotentialTable", "Stage", "Table"),

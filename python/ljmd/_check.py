@@ -30,6 +30,21 @@ def shown(value) -> str:
     return text if len(text) <= _SHOWN else f"{text[:_SHOWN - 3]}..."
 
 
+class Loadable:
+    """What a run is made of: a Deck. Who takes one need not know how it is made."""
+
+    __slots__ = ()
+
+    def _loaded(self, force: bool = False):
+        raise NotImplementedError
+
+
+def deck(value, name: str):
+    if not isinstance(value, Loadable):
+        raise InputError(f"{name}: {shown(value)} is no ljmd.Deck")
+    return value
+
+
 def threads_of(threads) -> int:
     """A number of threads for the engine; 0 for None: OMP_NUM_THREADS, or 1."""
     if threads is None:

@@ -25,7 +25,7 @@ from .deck import Deck
 from .errors import DataError, InputError
 from .evaluation import Evaluator, edges_of
 from .potentials import Pair
-from .results import Run
+from .runs import Run
 from .simulation import Simulation
 from .tables import ARGON, Stage
 from .trajectories import Trajectory

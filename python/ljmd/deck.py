@@ -12,7 +12,7 @@ from .comparisons import Comparison, compare
 from .errors import InputError
 from .potentials import Pair
 from .replicas import Replicas, run_replicas
-from .results import Run
+from .runs import Run
 from .simulation import Simulation
 from .sweeps import Sweep, sweep
 from .tables import Analyses, Attribute, Stage, Table, stage_of
@@ -31,7 +31,7 @@ def _table(key: str, meaning: str) -> Any:
     return Attribute(lambda deck: deck._table(key), lambda deck, value: deck._put(key, value), None, meaning)
 
 
-class Deck:
+class Deck(_check.Loadable):
     """What a run does: atoms, forces, stages, analyses and outputs.
 
     A deck comes from a file (`Deck.load`), a text in TOML (`Deck.parse`) or keywords (`Deck.fluid`, `Deck.few_body`).

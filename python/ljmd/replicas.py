@@ -11,7 +11,8 @@ from . import _check, _program, _progress
 from .errors import DataError, Error, InputError
 from .reading.files import field, is_there, read_json
 from .reading.sweeps import Request, read_request
-from .results import Results, Run, _Files
+from .results import Results
+from .runs import Files, Run
 
 if TYPE_CHECKING:
     from ._types import Path
@@ -42,7 +43,7 @@ class Replicas(Results):
         if is_there(path):
             data = read_json(path)
             field(path, data, "observables", dict)
-        return cls(data, _Files(directory, [each for each in ("rdf", "sk") if is_there(directory / f"{each}.csv")]), request)
+        return cls(data, Files(directory, [each for each in ("rdf", "sk") if is_there(directory / f"{each}.csv")]), request)
 
     @property
     def _file(self) -> pathlib.Path:

@@ -11,7 +11,7 @@ from .errors import InputError
 from .external import described_force
 from .frames import Frames, Recorder
 from .observables import described
-from .results import Run
+from .runs import Run
 
 if TYPE_CHECKING:
     from ._types import Array, Deck, Function, Functions, Progress
@@ -83,9 +83,7 @@ class Simulation:
 
     def __init__(self, deck: Deck, *, observables: Functions = (), external: Function | None = None, threads: int | None = None,
                  simd: str | None = None, force: bool = False):
-        from .deck import Deck
-        if not isinstance(deck, Deck):
-            raise InputError(f"deck: {_check.shown(deck)} is no ljmd.Deck")
+        deck = _check.deck(deck, "deck")
         self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), _check.simd_of(simd),
                                       described(observables), described_force(external), _check.warn)
         self._title = deck.title

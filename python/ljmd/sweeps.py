@@ -18,7 +18,7 @@ from ._text import html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
 from .reading.files import is_there
 from .reading.sweeps import read_request
-from .results import Run
+from .runs import Run
 
 if TYPE_CHECKING:
     from ._types import Path

@@ -91,10 +91,7 @@ def trajectory(path: Path, *, deck: Deck | None = None, start: float | None = No
 
     Raises DataError for a file that cannot be used.
     """
-    from .deck import Deck
-    if not (deck is None or isinstance(deck, Deck)):
-        raise InputError(f"deck: {_check.shown(deck)} is no ljmd.Deck")
-    deck = deck.copy() if deck is not None else None
+    deck = _check.deck(deck, "deck").copy() if deck is not None else None
     positions = None if positions is None else _check.text(positions, "positions")
     group, xyz_comment = _check.text(group, "group"), _check.text(xyz_comment, "xyz_comment")
     energies = _check.truth(energies, "energies")

@@ -73,14 +73,14 @@ class Warned(Case):
             self.points_here(lambda: sim.run(progress=False))  # here
             self.points_here(lambda: small_deck().run(progress=False))  # here
 
-    def test_results_Run_in_directory(self):
+    def test_runs_Run_in_directory(self):
         self.points_here(lambda: hasty().run(self.folder / "run", progress=False, force=True))  # here
 
-    def test_results_resume(self):
+    def test_opening_resume(self):
         hasty().run(self.folder / "run", progress=False, force=True)
         self.points_here(lambda: ljmd.resume(self.folder / "run", steps=10, progress=False))  # here
 
-    def test_results_Run_report(self):
+    def test_runs_Run_report(self):
         run = small_deck().run(self.folder / "run", progress=False)
         with mock.patch.object(ljmd._core, "write_report", mock.Mock(return_value=["the moon is full"])):
             self.points_here(lambda: run.report())  # here
@@ -111,7 +111,7 @@ class Warned(Case):
 
 
 def places() -> list:
-    """The functions of the package that warn, or hand the function that does to the engine: "results.Run.report"."""
+    """The functions of the package that warn, or hand the function that does to the engine: "runs.Run.report"."""
     found = []
 
     def visit(node, name):
