@@ -118,6 +118,7 @@ void Trajectory::each(const std::function<void(const Configuration&)>& take) con
 TrajectoryResult Trajectory::analyze(const std::vector<Choice>& analyses) const {
     const AnalyzedTrajectory& read = parts_->read;
     std::vector<std::string> names;
+    names.reserve(analyses.size());
     for (const Choice& analysis : analyses) {
         names.push_back(analysis.name);
     }
