@@ -83,40 +83,47 @@ Trajectory::~Trajectory() = default;
 Trajectory::Trajectory(Trajectory&&) noexcept = default;
 Trajectory& Trajectory::operator=(Trajectory&&) noexcept = default;
 
+Trajectory::Parts& Trajectory::parts() const {
+    if (!parts_) {
+        throw InputError("this trajectory has been moved to another one");
+    }
+    return *parts_;
+}
+
 Index Trajectory::frames() const {
-    return parts_->read.summary.frames;
+    return parts().read.summary.frames;
 }
 
 Index Trajectory::atoms() const {
-    return parts_->read.summary.atoms;
+    return parts().read.summary.atoms;
 }
 
 Vec3 Trajectory::edges() const {
-    return parts_->read.summary.edges;
+    return parts().read.summary.edges;
 }
 
 bool Trajectory::has_velocities() const {
-    return parts_->read.summary.has_velocities;
+    return parts().read.summary.has_velocities;
 }
 
 const std::vector<double>& Trajectory::times() const {
-    return parts_->read.summary.times;
+    return parts().read.summary.times;
 }
 
 std::optional<double> Trajectory::spacing() const {
-    return parts_->read.selection.spacing;
+    return parts().read.selection.spacing;
 }
 
 const std::vector<std::string>& Trajectory::warnings() const {
-    return parts_->read.summary.warnings;
+    return parts().read.summary.warnings;
 }
 
 void Trajectory::each(const std::function<void(const Configuration&)>& take) const {
-    each_frame(parts_->read, [&](std::size_t /*number*/, Configuration&& frame) { take(frame); });
+    each_frame(parts().read, [&](std::size_t /*number*/, Configuration&& frame) { take(frame); });
 }
 
 TrajectoryResult Trajectory::analyze(const std::vector<Choice>& analyses) const {
-    const AnalyzedTrajectory& read = parts_->read;
+    const AnalyzedTrajectory& read = parts().read;
     std::vector<std::string> names;
     names.reserve(analyses.size());
     for (const Choice& analysis : analyses) {

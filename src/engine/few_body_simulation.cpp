@@ -45,6 +45,7 @@ struct FewBodySimulation::Parts {
     FewBodySystem system;
     FewBodyMeasurement measurement;
     std::optional<LoopPosition> position;  ///< empty until the first step
+    bool failed = false;
 };
 
 FewBodySimulation::FewBodySimulation(FewBodySpec spec, const Execution& execution)
@@ -53,8 +54,15 @@ FewBodySimulation::~FewBodySimulation() = default;
 FewBodySimulation::FewBodySimulation(FewBodySimulation&&) noexcept = default;
 FewBodySimulation& FewBodySimulation::operator=(FewBodySimulation&&) noexcept = default;
 
+FewBodySimulation::Parts& FewBodySimulation::parts() const {
+    if (!parts_) {
+        throw InputError("this simulation has been moved to another one");
+    }
+    return *parts_;
+}
+
 FewBodyResult FewBodySimulation::run() {
-    advance(total_steps(parts_->spec.stages));
+    advance(total_steps(parts().spec.stages));
     return result();
 }
 
@@ -62,10 +70,14 @@ void FewBodySimulation::advance(Index steps) {
     if (steps < 0) {
         throw InputError(fmt::format("{} steps: allowed are 0 and more", steps));
     }
-    Parts& p = *parts_;
+    Parts& p = parts();
+    if (p.failed) {
+        throw InputError("this simulation has failed: it can be looked at, not continued");
+    }
     if (p.finished()) {
         return;
     }
+    p.failed = true;  // unless all goes well
     const Index done = p.system.state.step;
     const Index until = done + std::min(steps, total_steps(p.spec.stages) - done);
     p.position = run_stages(p.spec.stages, p.system.state, *p.system.force_field, p.measurement, p.position,
@@ -73,29 +85,31 @@ void FewBodySimulation::advance(Index steps) {
     if (p.finished()) {
         p.measurement.record_end();
     }
+    p.failed = false;
 }
 
 bool FewBodySimulation::finished() const {
-    return parts_->finished();
+    return parts().finished();
 }
 
 FewBodyResult FewBodySimulation::result() const {
-    if (!parts_->position) {
+    const Parts& p = parts();
+    if (!p.position) {
         throw InputError("results of few bodies are known after the first call of run() or advance()");
     }
-    return parts_->measurement.result(parts_->position->seconds);
+    return p.measurement.result(p.position->seconds);
 }
 
 const FewBodySpec& FewBodySimulation::spec() const {
-    return parts_->spec;
+    return parts().spec;
 }
 
 const State& FewBodySimulation::state() const {
-    return parts_->system.state;
+    return parts().system.state;
 }
 
 const std::vector<FewBodyRow>& FewBodySimulation::samples() const {
-    return parts_->rows.all;
+    return parts().rows.all;
 }
 
 }  // namespace ljmd

@@ -1,6 +1,7 @@
 #include "ljmd/analyze/trajectory.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
@@ -98,6 +99,15 @@ TEST_CASE("without names a program gets the analyses that go with the file, and 
     CHECK_THROWS_AS(frames.analyze({Choice{"rdf", {{"bins", -3}}}}), InputError);
     CHECK_THROWS_AS(Trajectory(run.folder / "none.h5"), DataError);
     CHECK_THROWS_WITH(Trajectory(run.file(), {.from = 7.0}), Contains("is as late"));
+}
+
+TEST_CASE("a trajectory that was moved to another one says so") {
+    const RunWithFrames run(small_spec());
+    Trajectory first(run.file());
+    const Trajectory second = std::move(first);
+    CHECK(second.frames() == 9);
+    CHECK_THROWS_AS(first.frames(), InputError);  // NOLINT(bugprone-use-after-move)
+    CHECK_THROWS_AS(first.analyze(), InputError);
 }
 
 TEST_CASE("a configuration in a file is one that a run can start from") {

@@ -1,6 +1,7 @@
 #include "ljmd/engine/few_body_simulation.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
@@ -74,4 +75,23 @@ TEST_CASE("a program runs few bodies without a deck: a planet on a circle comes 
     CHECK(planet.samples().size() == 21);
     CHECK(result.bodies == 1);
     CHECK(result.dimensions == 2);
+}
+
+TEST_CASE("few bodies that were moved or have failed say so") {
+    FewBodySimulation first(two_bodies());
+    FewBodySimulation second = std::move(first);
+    CHECK_THROWS_AS(first.advance(1), InputError);  // NOLINT(bugprone-use-after-move)
+    CHECK_THROWS_AS(first.state(), InputError);
+    CHECK_THROWS_AS(first.finished(), InputError);
+    second.advance(1);
+    first = std::move(second);
+    CHECK(first.state().step == 1);
+
+    FewBodySpec unstable{.force = few_body_force("harmonic", {{"stiffness", 1.0}}),
+                         .bodies = {{.mass = 1.0, .position = {1.0}, .velocity = {0.0}}}};
+    unstable.stages = {{.name = "far too long steps", .time_step = 1000.0, .steps = 1000}};
+    FewBodySimulation failing(unstable);
+    REQUIRE_THROWS_AS(failing.run(), PhysicsError);
+    CHECK(failing.state().count() == 1);
+    CHECK_THROWS_AS(failing.advance(1), InputError);
 }

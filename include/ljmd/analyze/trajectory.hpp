@@ -42,7 +42,8 @@ struct TrajectoryResult {
 ///     frames.each([](const Configuration& frame) { std::cout << frame.positions.size() << '\n'; });
 ///
 /// The file is read when this is made, and again by each call that needs its positions; one frame is in memory at a
-/// time. It is in reduced units, or in SI units if the options have a fluid with units.
+/// time. It is in reduced units, or in SI units if the options have a fluid with units. Two threads use it one after
+/// the other: its analyses share threads. Messages name an option of `ljmd analyze` where the same is meant here.
 class Trajectory {
   public:
     /// @throws DataError  it is missing, of unknown format, or damaged  @throws InputError  options that do not fit it
@@ -73,6 +74,9 @@ class Trajectory {
 
   private:
     struct Parts;
+    /// @throws InputError if this was moved to another one
+    [[nodiscard]] Parts& parts() const;
+
     std::unique_ptr<Parts> parts_;
 };
 

@@ -32,7 +32,9 @@ class FewBodySimulation {
     FewBodySimulation(const FewBodySimulation&) = delete;
     FewBodySimulation& operator=(const FewBodySimulation&) = delete;
 
-    /// Take all steps that are left. @throws PhysicsError naming step and stage, when the run blows up
+    /// Take all steps that are left.
+    /// @throws PhysicsError naming step and stage, when the run blows up; it can be looked at then, but not be
+    /// continued (InputError)
     FewBodyResult run();
 
     /// Take some steps; fewer if the stages end before. The first call also evaluates the start.
@@ -53,6 +55,9 @@ class FewBodySimulation {
 
   private:
     struct Parts;
+    /// @throws InputError if this was moved to another one
+    [[nodiscard]] Parts& parts() const;
+
     std::unique_ptr<Parts> parts_;
 };
 
