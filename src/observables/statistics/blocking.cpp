@@ -24,6 +24,7 @@ constexpr Index blocks_for_slow = 32;   // at least, of blocks that may show slo
 constexpr Index most_parts = 8;         // of a function; sums of more, of shells or layers, are series of their own
 constexpr double negligible = 0.1;      // error of a part over the function's: a volume that rounding changes
 constexpr double excess = 1.5;          // of their error, in units of its scatter
+constexpr double lack = 2.5;            // of it, where shorter blocks show an oscillation
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Curve = std::vector<BlockLevel>;
@@ -44,14 +45,29 @@ bool still_grows(const Curve& curve) {
                               growth_of_flat * curve[static_cast<std::size_t>(levels - 2)].standard_error;
 }
 
+/// By how much the error of longer blocks, made of the same samples, differs from that of shorter ones by chance.
+double scatter(const BlockLevel& longer, const BlockLevel& shorter) {
+    return std::sqrt(longer.relative_uncertainty * longer.relative_uncertainty -
+                     shorter.relative_uncertainty * shorter.relative_uncertainty);
+}
+
+/// The level with long enough blocks, or a later one: blocks shorter than a period show an oscillation that cancels in
+/// longer ones; see BlockingAccumulator.
+Curve::const_iterator without_oscillations(Curve::const_iterator chosen, Curve::const_iterator end) {
+    for (auto level = std::next(chosen); level != end && level->blocks >= blocks_for_slow; ++level) {
+        if (level->standard_error < (1.0 - lack * scatter(*level, *chosen)) * chosen->standard_error) {
+            chosen = level;
+        }
+    }
+    return chosen;
+}
+
 /// The level with long enough blocks, or a later one, whose blocks show what its own hide; see BlockingAccumulator.
 Curve::const_iterator with_slow_fluctuations(Curve::const_iterator chosen, Curve::const_iterator end) {
     auto largest = chosen;
     for (auto level = std::next(chosen); level != end && level->blocks >= blocks_for_slow; ++level) {
-        const double scatter = std::sqrt(level->relative_uncertainty * level->relative_uncertainty -
-                                         chosen->relative_uncertainty * chosen->relative_uncertainty);
-        const bool more_than_scatter = level->standard_error > (1.0 + excess * scatter) * chosen->standard_error;
-        if (more_than_scatter && level->standard_error > largest->standard_error) {
+        const bool is_more = level->standard_error > (1.0 + excess * scatter(*level, *chosen)) * chosen->standard_error;
+        if (is_more && level->standard_error > largest->standard_error) {
             largest = level;
         }
     }
@@ -68,9 +84,12 @@ Estimate choose_level(double mean, Index samples, const Curve& curve, Index leas
     if (shortest_error == 0.0) {
         return {mean, 0.0, n, samples, true, samples};
     }
-    const auto long_enough = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
+    auto long_enough = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
         return level.blocks >= many_blocks && blocks_are_long_enough(level, n, shortest_error);
     });
+    if (long_enough != curve.end()) {
+        long_enough = without_oscillations(long_enough, curve.end());
+    }
     const auto few = std::find_if(curve.begin(), curve.end(),
                                   [](const BlockLevel& level) { return level.blocks < fallback_blocks; });
     const auto is_smaller = [](const BlockLevel& a, const BlockLevel& b) {

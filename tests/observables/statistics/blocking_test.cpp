@@ -151,6 +151,44 @@ TEST_CASE("Slow fluctuations below the noise of fast ones are in the error") {
     CHECK(converged > 0.97);
 }
 
+TEST_CASE("An oscillation that cancels in blocks longer than its period is not in the error") {
+    // White noise beside the changes of a damped oscillation of 64 samples and of more white noise, whose sum over a
+    // run is its end minus its start: the mean has the error of the first. In blocks of half a period it looks 1.5
+    // times larger, and grows up to them less than what is shorter hides.
+    constexpr Index runs = 100;
+    constexpr Index samples = 15'000;
+    const double decay = std::exp(-1.0 / 100.0);
+    const double turn = 2.0 * 3.14159265358979 / 64.0;
+    AutoregressiveRuns white(runs, 0.0, 31);
+    AutoregressiveRuns along(runs, 0.0, 32);
+    AutoregressiveRuns across(runs, 0.0, 33);
+    AutoregressiveRuns fast(runs, 0.0, 34);
+    const double strength = std::sqrt(1.0 - decay * decay);
+    Eigen::ArrayXd last = fast.next().array();
+    Eigen::ArrayXd x = along.next().array();
+    Eigen::ArrayXd y = across.next().array();
+    BlockingAccumulator blocks(runs, Covariance::diagonal);
+    for (Index i = 0; i < samples; ++i) {
+        const Eigen::ArrayXd before = x;
+        x = decay * (std::cos(turn) * before - std::sin(turn) * y) + strength * along.next().array();
+        y = decay * (std::sin(turn) * before + std::cos(turn) * y) + strength * across.next().array();
+        const Eigen::ArrayXd change = fast.next().array() - last;
+        last += change;
+        blocks.add(white.next() + Eigen::VectorXd(3.5 * (x - before) + change));
+    }
+    double reported = 0.0;
+    double in_short_blocks = 0.0;
+    for (Index run = 0; run < runs; ++run) {
+        const Estimate estimate = blocks.estimate(run);
+        reported += estimate.standard_error * estimate.standard_error / runs;
+        in_short_blocks += std::pow(blocks.levels(run)[5].standard_error, 2) / runs;
+        CHECK(estimate.converged);
+    }
+    const double exact = 1.0 / std::sqrt(static_cast<double>(samples));
+    REQUIRE(std::sqrt(in_short_blocks) > 1.4 * exact);
+    CHECK(std::sqrt(reported) == Approx(exact).epsilon(0.1));
+}
+
 TEST_CASE("A series too short for its correlations is reported as not converged, with its largest error") {
     const Index samples = 1000;  // ten correlation times of phi = 0.99
     const Calibration seen = calibrate(200, samples, 0.99, 0.0, 3);

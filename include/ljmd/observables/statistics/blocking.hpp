@@ -42,11 +42,19 @@ enum class Covariance { diagonal, full };
 /// condition balances the bias of short blocks against the scatter of few blocks; it takes about a hundred independent
 /// samples.
 ///
+/// A quantity that oscillates, as the pressure normal to a film does with its breathing, has e_k that falls again where
+/// blocks get longer than a period. So a later level l takes the place of k where there are 32 blocks and e_l is
+/// smaller by more than its scatter explains, and again from there:
+///
+///     e_l < e_k (1 - 2.5 (u_l^2 - u_k^2)^(1/2)),   u = 1/(2 (blocks - 1))^(1/2)
+///
+/// In white noise that happens to one series in a hundred, and makes errors smaller by less than 1 % on average.
+///
 /// Fluctuations that are slow but small are hidden below the noise of fast ones at that level: in a gas, the
 /// fluctuations of bound pairs below the noise of collisions. So longer blocks are looked at, too, as long as there are
 /// 32. If their error e_l is larger by more than its scatter explains, the largest such one is reported:
 ///
-///     e_l > e_k (1 + 1.5 (u_l^2 - u_k^2)^(1/2)),   u = 1/(2 (blocks - 1))^(1/2)
+///     e_l > e_k (1 + 1.5 (u_l^2 - u_k^2)^(1/2))
 ///
 /// In white noise that happens to one or two series in ten, and makes errors larger by 2 to 3 % on average.
 /// Fluctuations that are slower than a thirtieth of the series stay hidden. If no level satisfies the condition, the
