@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "judge/explanations.hpp"
-#include "judge/near_pairs.hpp"
 #include "judge/odd_pairs.hpp"
+#include "judge/summed_pairs.hpp"
 
 namespace ljmd {
 
@@ -88,7 +88,7 @@ class Case {
         static constexpr std::array<Sides, 4> ways{{{false, false}, {true, true}, {true, false}, {false, true}}};
         const std::size_t count = ways.size();
         for (std::size_t k = 1; k < count * count * count; ++k) {
-            const NearPairs::MissedImages missed{ways[k % count], ways[k / count % count], ways[k / count / count]};
+            const SummedPairs::MissedImages missed{ways[k % count], ways[k / count % count], ways[k / count / count]};
             const bool one_sided = std::ranges::any_of(missed, [](const Sides& sides) { return sides[0] != sides[1]; });
             for (const bool alone : {false, true}) {
                 if (one_sided || !alone) {
@@ -99,7 +99,7 @@ class Case {
         }
     }
 
-    [[nodiscard]] static std::string in_words(const NearPairs::MissedImages& missed, bool alone) {
+    [[nodiscard]] static std::string in_words(const SummedPairs::MissedImages& missed, bool alone) {
         if (std::ranges::all_of(missed, [](const auto& sides) { return sides[0] && sides[1]; })) {
             return "missing image: pairs that are near each other through a wall of the box are left out, all others "
                    "are right";
@@ -153,7 +153,7 @@ class Case {
 
     /// The box is larger or smaller, in all directions or in one; the atoms are where they are.
     void other_edges() {
-        const NearPairs pairs(fluid_.positions, fluid_.edges, largest_scale_of_edges * range_);
+        const SummedPairs pairs(fluid_.positions, fluid_.edges, largest_scale_of_edges * range_);
         for (int axis = -1; axis < 3; ++axis) {
             const auto sums = [&](double s) {
                 const Vec3 by = (s - 1.0) * fluid_.edges;
@@ -201,14 +201,16 @@ class Case {
     /// Forces of a wrong formula, whose virial is theirs, or right.
     void other_forces() {
         const PairPotential& potential = fluid_.potential;
-        const auto offer_forces = [&](const std::function<double(const NearPairs::Pair&)>& w, const char* words) {
-            PairSums sums = pairs_.sums_of([&](const NearPairs::Pair& pair) { return PairTerm<double>{0.0, w(pair)}; });
+        const auto offer_forces = [&](const std::function<double(const SummedPairs::Pair&)>& w, const char* words) {
+            PairSums sums = pairs_.sums_of([&](const SummedPairs::Pair& pair) {
+                return PairTerm<double>{0.0, w(pair)};
+            });
             offer(with_forces_of(sums), words);
             sums.virial = expected_.sums.virial;
             offer(with_forces_of(sums), words);
         };
         const auto times_power = [&](int power) {
-            return [&potential, power](const NearPairs::Pair& pair) {
+            return [&potential, power](const SummedPairs::Pair& pair) {
                 return potential(pair.distance).w * std::pow(pair.distance, power);
             };
         };
@@ -221,7 +223,7 @@ class Case {
             return;
         }
         const auto by_powers = [&](double a, double b) {  // a r^-12 + b r^-6, of the derivative
-            return [=, radius = potential.cutoff().radius](const NearPairs::Pair& pair) {
+            return [=, radius = potential.cutoff().radius](const SummedPairs::Pair& pair) {
                 const double s2 = 1.0 / (pair.distance * pair.distance);
                 const double s6 = s2 * s2 * s2;
                 return pair.distance < radius ? (a * s6 * s6 + b * s6) * s2 : 0.0;
@@ -234,7 +236,7 @@ class Case {
 
     /// A loop over j that begins one too late.
     void left_out_neighbours() {
-        offer(pairs_.sums_of([&](const NearPairs::Pair& pair) {
+        offer(pairs_.sums_of([&](const SummedPairs::Pair& pair) {
             return pair.j == pair.i + 1 ? PairTerm<double>{} : fluid_.potential(pair.distance);
         }),
               "neighbouring ids: all pairs of the ids i and i + 1 are left out, all others are right");
@@ -283,15 +285,15 @@ class Case {
     /// Forces of a plain cut or shift change with the cutoff where a pair comes in: pairs are added one by one in the
     /// order of their distances, and those distances are returned between which the answer is met best.
     [[nodiscard]] std::pair<double, double> bracket_of_cutoff() const {
-        std::vector<NearPairs::Pair> sorted = pairs_.pairs();
-        std::ranges::sort(sorted, {}, &NearPairs::Pair::distance);
+        std::vector<SummedPairs::Pair> sorted = pairs_.pairs();
+        std::ranges::sort(sorted, {}, &SummedPairs::Pair::distance);
         std::vector<Vec3> rest = answer_.forces;  // of the forces, when the forces of the pairs so far are taken off
         double squares = rest.empty() ? 0.0 : dot(rest, rest);
         double virial = answer_.virial.value_or(0.0);
         double smallest = std::numeric_limits<double>::infinity();
         std::size_t last = 0;
         for (std::size_t k = 0; k < sorted.size(); ++k) {
-            const NearPairs::Pair& pair = sorted[k];
+            const SummedPairs::Pair& pair = sorted[k];
             const double w = fluid_.potential.untruncated(pair.distance).w;
             virial -= w * pair.distance * pair.distance;
             if (!rest.empty()) {
@@ -346,7 +348,7 @@ class Case {
     double tolerance_;
     AnswerParts parts_;
     double range_;
-    NearPairs pairs_;
+    SummedPairs pairs_;
     Explanations known_{1.0, 0.0, unexplained_of_point};  ///< in parts of the difference
 };
 

@@ -33,7 +33,7 @@ MissingPairs::MissingPairs(const std::vector<Vec3>& positions, const std::vector
         lacking_.emplace_back(right[i] - found[i]);
         wrong_.push_back(!(lacking_[i].norm() <= noise));
     }
-    for (const NearPairs::Pair& pair : pairs_.pairs()) {
+    for (const SummedPairs::Pair& pair : pairs_.pairs()) {
         if (wrong_[pair.i] && wrong_[pair.j]) {
             candidates_.push_back(pair);
             forces_.emplace_back(potential(pair.distance).w * pair.separation);
@@ -45,8 +45,8 @@ Index MissingPairs::wrong_atoms() const {
     return std::ranges::count(wrong_, true);
 }
 
-std::vector<NearPairs::Pair> MissingPairs::farthest_in(const std::vector<Vec3>& earlier, const Vec3& edges) const {
-    const auto distance_then = [&](const NearPairs::Pair& pair) {
+std::vector<SummedPairs::Pair> MissingPairs::farthest_in(const std::vector<Vec3>& earlier, const Vec3& edges) const {
+    const auto distance_then = [&](const SummedPairs::Pair& pair) {
         const Vec3 apart = earlier[pair.i] - earlier[pair.j];
         const Vec3 images = (apart.array() / edges.array()).round();
         return (apart - images.cwiseProduct(edges)).norm();
@@ -71,18 +71,18 @@ std::vector<NearPairs::Pair> MissingPairs::farthest_in(const std::vector<Vec3>& 
     }
     const double middle = -order[missing / 2].first;
     const auto as_far = std::ranges::count_if(
-        pairs_.pairs(), [&](const NearPairs::Pair& pair) { return distance_then(pair) >= middle; });
+        pairs_.pairs(), [&](const SummedPairs::Pair& pair) { return distance_then(pair) >= middle; });
     if (as_far > 2 * static_cast<std::ptrdiff_t>(missing)) {
         return {};
     }
-    std::vector<NearPairs::Pair> found;
+    std::vector<SummedPairs::Pair> found;
     for (std::size_t n = 0; n < missing; ++n) {
         found.push_back(candidates_[order[n].second]);
     }
     return found;
 }
 
-std::vector<NearPairs::Pair> MissingPairs::of_any() const {
+std::vector<SummedPairs::Pair> MissingPairs::of_any() const {
     if (candidates_.empty() || candidates_.size() > most_pairs) {
         return {};
     }
@@ -97,7 +97,7 @@ std::vector<NearPairs::Pair> MissingPairs::of_any() const {
     }
     const Eigen::VectorXd parts = matrix.colPivHouseholderQr().solve(right);
     std::vector<Vec3> rest = lacking_;
-    std::vector<NearPairs::Pair> missing;
+    std::vector<SummedPairs::Pair> missing;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
         const double part = parts[static_cast<Index>(k)];
         if (std::abs(part - std::round(part)) > unexplained_by_pairs) {
@@ -108,7 +108,8 @@ std::vector<NearPairs::Pair> MissingPairs::of_any() const {
             take_off(rest, k);
         }
     }
-    return norm_of_all(rest) < unexplained_by_pairs * norm_of_all(lacking_) ? missing : std::vector<NearPairs::Pair>{};
+    return norm_of_all(rest) < unexplained_by_pairs * norm_of_all(lacking_) ? missing
+                                                                            : std::vector<SummedPairs::Pair>{};
 }
 
 void MissingPairs::take_off(std::vector<Vec3>& rest, std::size_t k) const {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "judge/near_pairs.hpp"
+#include "judge/summed_pairs.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -18,21 +18,21 @@ class MissingPairs {
 
     /// The missing pairs if those are missing that were farthest apart at earlier positions, beyond the cutoff, and
     /// hardly another pair was so far: as those that a list of that time lacks. None if that explains nothing.
-    [[nodiscard]] std::vector<NearPairs::Pair> farthest_in(const std::vector<Vec3>& earlier, const Vec3& edges) const;
+    [[nodiscard]] std::vector<SummedPairs::Pair> farthest_in(const std::vector<Vec3>& earlier, const Vec3& edges) const;
 
     /// The missing pairs if every pair of wrong atoms is there or missing: least squares for the part of each pair that
     /// is missing. None if parts are not 0 or 1, or if there are too many pairs to tell.
-    [[nodiscard]] std::vector<NearPairs::Pair> of_any() const;
+    [[nodiscard]] std::vector<SummedPairs::Pair> of_any() const;
 
   private:
     void take_off(std::vector<Vec3>& rest, std::size_t k) const;
 
     double cutoff_;
-    NearPairs pairs_;
+    SummedPairs pairs_;
     std::vector<Vec3> lacking_;  ///< F - F' of each atom
     std::vector<bool> wrong_;
-    std::vector<NearPairs::Pair> candidates_;  ///< between wrong atoms
-    std::vector<Vec3> forces_;                 ///< of the candidates
+    std::vector<SummedPairs::Pair> candidates_;  ///< between wrong atoms
+    std::vector<Vec3> forces_;                   ///< of the candidates
 };
 
 }  // namespace ljmd

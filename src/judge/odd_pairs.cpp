@@ -20,7 +20,7 @@ constexpr std::size_t most_odd_atoms = 3;
 constexpr std::size_t most_atoms_of_a_start = 3000;
 
 /// Sums with a part of one pair taken off.
-void take_off_pair(PairSums& sums, const NearPairs::Pair& pair, const PairPotential& potential, double part) {
+void take_off_pair(PairSums& sums, const SummedPairs::Pair& pair, const PairPotential& potential, double part) {
     const PairTerm<double> term = potential(pair.distance);
     sums.potential_energy -= part * term.u;
     sums.virial -= part * term.w * pair.distance * pair.distance;
@@ -30,12 +30,12 @@ void take_off_pair(PairSums& sums, const NearPairs::Pair& pair, const PairPotent
 
 void offer_missing_pairs(const MissingPairs& lacking, const PairPotential& potential, const PairSums& right,
                          const AnswerParts& parts, Explanations& known) {
-    const std::vector<NearPairs::Pair> missing = lacking.of_any();
+    const std::vector<SummedPairs::Pair> missing = lacking.of_any();
     if (missing.empty()) {
         return;
     }
     PairSums sums = right;
-    for (const NearPairs::Pair& pair : missing) {
+    for (const SummedPairs::Pair& pair : missing) {
         take_off_pair(sums, pair, potential, 1.0);
     }
     if (const auto left = parts.unexplained(sums)) {
@@ -48,10 +48,10 @@ void offer_missing_pairs(const MissingPairs& lacking, const PairPotential& poten
 }
 
 /// All pairs of an atom c times as strong, by least squares for c.
-void offer_odd_atom(const Fluid& fluid, const NearPairs& pairs, std::size_t atom, const std::vector<Vec3>& found,
+void offer_odd_atom(const Fluid& fluid, const SummedPairs& pairs, std::size_t atom, const std::vector<Vec3>& found,
                     const PairSums& right, const AnswerParts& parts, Explanations& known) {
     PairSums without = right;
-    for (const NearPairs::Pair& pair : pairs.pairs()) {
+    for (const SummedPairs::Pair& pair : pairs.pairs()) {
         if (pair.i == atom || pair.j == atom) {
             take_off_pair(without, pair, fluid.potential, 1.0);
         }
@@ -119,7 +119,7 @@ void offer_odd_pairs(const Fluid& fluid, const ExpectedPoint& expected, const Po
         return;
     }
     offer_missing_pairs(lacking, fluid.potential, expected.sums, parts, known);
-    const NearPairs pairs(fluid.positions, fluid.edges, fluid.potential.cutoff().radius);
+    const SummedPairs pairs(fluid.positions, fluid.edges, fluid.potential.cutoff().radius);
     for (std::size_t k = 0; k < std::min(most_odd_atoms, order.size()); ++k) {
         offer_odd_atom(fluid, pairs, order[k], answer.forces, expected.sums, parts, known);
     }
@@ -132,7 +132,7 @@ void offer_digits_of_start(const Fluid& fluid, const AnswerParts& parts, Explana
     const double cutoff = fluid.potential.cutoff().radius;
     const auto offer = [&](const std::vector<Vec3>& positions, const Vec3& edges, const std::string& words) {
         if (cutoff <= 0.5 * edges.minCoeff()) {
-            if (const auto left = parts.unexplained(NearPairs(positions, edges, cutoff).sums(fluid.potential))) {
+            if (const auto left = parts.unexplained(SummedPairs(positions, edges, cutoff).sums(fluid.potential))) {
                 known.offer(*left, words);
             }
         }

@@ -32,11 +32,8 @@ class Sampler : public StepObserver {
     Sampler(const State& state, const TailCorrection& tail, Index every, const Interruption& interruption)
         : state_(state), tail_(tail), every_(every), interruption_(interruption) {}
 
-    void started(const Evaluation&) override {}
-    void stage_begins(const Stage&) override {}
     [[nodiscard]] bool wants_energy(Index step) const override { return step % every_ == 0; }
     [[nodiscard]] bool reads_velocities(Index step) const override { return step % every_ == 0; }
-    void moved(Index) override {}
     void step_done(const Stage&, const Evaluation& evaluation) override {
         if (interruption_.request()) {
             interruption_.stop_many_runs();
@@ -53,7 +50,6 @@ class Sampler : public StepObserver {
                                     tail_.pressure(atoms / volume));
         samples_.volume.push_back(volume);
     }
-    void stage_ends(const Stage&) override {}
 
     RunSamples take() { return std::move(samples_); }
 
@@ -152,7 +148,7 @@ RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Executio
     State state = state_of(problem.fluid, execution);
     PairForceField force_field = make_force_field(spec, execution);
     Sampler sampler(state, spec.interaction().tail, problem.thermo_every, interruption);
-    run_stages({problem.stage}, state, force_field, sampler, std::nullopt, spec.interaction());
+    run_stages({problem.stage}, state, force_field, {sampler}, std::nullopt, spec.interaction());
     return sampler.take();
 }
 

@@ -72,7 +72,7 @@ std::optional<std::string> wrong_energy(const Fluid& fluid, const ExpectedPoint&
     const double noise = tolerance * std::abs(pairs);
     const auto atoms = static_cast<double>(expected.atoms);
     const double cutoff = fluid.potential.cutoff().radius;
-    const double step = static_cast<double>(NearPairs(fluid.positions, fluid.edges, cutoff).pairs().size()) *
+    const double step = static_cast<double>(SummedPairs(fluid.positions, fluid.edges, cutoff).pairs().size()) *
                         fluid.potential.untruncated(cutoff).u;
     const double full_tail =
         atoms * TailCorrection(PairPotential::make(fluid.potential.formula(), "cut", fluid.potential.cutoff(),

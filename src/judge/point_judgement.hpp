@@ -6,7 +6,7 @@
 #include "compare/agreement.hpp"
 #include "compare/peer.hpp"
 #include "judge/answer.hpp"
-#include "judge/near_pairs.hpp"
+#include "judge/summed_pairs.hpp"
 
 namespace ljmd {
 

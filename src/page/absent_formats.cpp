@@ -13,7 +13,7 @@ namespace ljmd {
 ReadableFormat h5md_file() {
     return {.name = "an H5MD file",
             .recognises = [](const auto&, TextFile&) { return false; },
-            .configuration = [](const auto&, const ReadingOptions&) -> Configuration {
+            .configuration = [](const auto&, const ReaderOptions&) -> Configuration {
                 throw DataError("a page reads no H5MD file");
             },
             .has_groups = true};

@@ -1,9 +1,9 @@
 #include <cmath>
 #include "catch.hpp"
 
-#include "judge/near_pairs.hpp"
 #include "judge/point_judgement.hpp"
 #include "judge/shaken_liquid.hpp"
+#include "judge/summed_pairs.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -15,15 +15,15 @@ TEST_CASE("mistakes that change energy, virial and forces alike are named, in ev
         const Fluid fluid = shaken_liquid(truncation, PairPotential::takes_tail(truncation));
         const ExpectedPoint expected = expected_point_of(fluid);
         const double half = 0.5 * fluid.edges.minCoeff();
-        const NearPairs pairs(fluid.positions, fluid.edges, half);
-        const auto with = [&](const PairPotential& potential, const NearPairs::Assumed& assumed) {
+        const SummedPairs pairs(fluid.positions, fluid.edges, half);
+        const auto with = [&](const PairPotential& potential, const SummedPairs::Assumed& assumed) {
             return first_diagnosis(fluid, point_with(expected, pairs.sums(potential, assumed)));
         };
         CHECK(with(fluid.potential, {}).empty());
         CHECK_THAT(with(fluid.potential, {.epsilon = 1.0 + 1e-8}), StartsWith("epsilon off"));
         CHECK_THAT(with(fluid.potential, {.epsilon = 0.9}),
                    StartsWith("epsilon off") && Catch::Contains("epsilon of 0.9,"));
-        const auto missing = [&](const NearPairs::MissedImages& missed, bool alone = false) {
+        const auto missing = [&](const SummedPairs::MissedImages& missed, bool alone = false) {
             return with(fluid.potential, {.missed = missed, .each_atom_alone = alone});
         };
         CHECK_THAT(missing({{{true, true}, {true, true}, {true, true}}}),
@@ -49,9 +49,9 @@ TEST_CASE("forces of a wrong formula are named, with their virial or the right o
     for (const char* truncation : {"cut", "force-shifted"}) {
         const Fluid fluid = shaken_liquid(truncation, PairPotential::takes_tail(truncation));
         const ExpectedPoint expected = expected_point_of(fluid);
-        const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+        const SummedPairs pairs(fluid.positions, fluid.edges, 2.2);
         const auto said = [&](int power, bool with_virial) {
-            PairSums sums = pairs.sums_of([&](const NearPairs::Pair& pair) {
+            PairSums sums = pairs.sums_of([&](const SummedPairs::Pair& pair) {
                 const PairTerm<double> term = fluid.potential(pair.distance);
                 return PairTerm<double>{term.u, term.w * std::pow(pair.distance, power)};
             });
@@ -67,11 +67,11 @@ TEST_CASE("forces of a wrong formula are named, with their virial or the right o
     }
     const Fluid fluid = shaken_liquid();
     const ExpectedPoint expected = expected_point_of(fluid);
-    const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+    const SummedPairs pairs(fluid.positions, fluid.edges, 2.2);
     for (const auto& [a, b, words] :
          {std::tuple(24.0, -24.0, "forces: a 2 is forgotten"), std::tuple(48.0, -48.0, "forces: a 1/2 is forgotten"),
           std::tuple(48.0, 24.0, "forces: the sign of r^-6 is wrong")}) {
-        const PairSums sums = pairs.sums_of([&, a = a, b = b](const NearPairs::Pair& pair) {
+        const PairSums sums = pairs.sums_of([&, a = a, b = b](const SummedPairs::Pair& pair) {
             const double s6 = std::pow(pair.distance, -6);
             return PairTerm<double>{fluid.potential(pair.distance).u,
                                     (a * s6 * s6 + b * s6) / (pair.distance * pair.distance)};
@@ -86,7 +86,7 @@ TEST_CASE("parts that are cut off in another way are named") {
         INFO(ours << ", " << theirs);
         const Fluid fluid = shaken_liquid(ours, PairPotential::takes_tail(ours));
         const ExpectedPoint expected = expected_point_of(fluid);
-        const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+        const SummedPairs pairs(fluid.positions, fluid.edges, 2.2);
         const PairSums other = pairs.sums(PairPotential::lennard_jones(theirs, {2.2, 1.8}));
         const auto said = [&](bool energy, bool forces) {
             PairSums sums = forces ? other : expected.sums;
@@ -103,7 +103,7 @@ TEST_CASE("another box, and a loop that begins one too late, are named") {
     for (const char* truncation : {"cut", "force-shifted"}) {
         const Fluid fluid = shaken_liquid(truncation, PairPotential::takes_tail(truncation));
         const ExpectedPoint expected = expected_point_of(fluid);
-        const NearPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
+        const SummedPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
         const auto said = [&](const Vec3& longer) {
             const Vec3 by = longer.cwiseProduct(fluid.edges);
             return first_diagnosis(fluid, point_with(expected, pairs.with_longer_edges(by).sums(fluid.potential)));
@@ -114,7 +114,7 @@ TEST_CASE("another box, and a loop that begins one too late, are named") {
         CHECK_THAT(said(Vec3(0.0, 0.0, -0.002)),
                    StartsWith("edges of the box") && Catch::Contains("edge z is 0.998 times"));
         CHECK_THAT(first_diagnosis(
-                       fluid, point_with(expected, pairs.sums_of([&](const NearPairs::Pair& pair) {
+                       fluid, point_with(expected, pairs.sums_of([&](const SummedPairs::Pair& pair) {
                            return pair.j == pair.i + 1 ? PairTerm<double>{0.0, 0.0} : fluid.potential(pair.distance);
                        }))),
                    StartsWith("neighbouring ids"));
@@ -124,7 +124,7 @@ TEST_CASE("another box, and a loop that begins one too late, are named") {
 TEST_CASE("forces alone, or energy and virial alone, are enough to know a mistake, one number is not") {
     const Fluid fluid = shaken_liquid();
     const ExpectedPoint expected = expected_point_of(fluid);
-    const NearPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
+    const SummedPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
     const PairSums wrong = pairs.sums(fluid.potential, {.epsilon = 1.25});
     CHECK_THAT(first_diagnosis(fluid, {.forces = wrong.forces}), StartsWith("epsilon off"));
     CHECK_THAT(first_diagnosis(

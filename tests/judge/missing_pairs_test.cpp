@@ -1,8 +1,8 @@
 #include <cmath>
 #include "catch.hpp"
 
-#include "judge/near_pairs.hpp"
 #include "judge/right_trajectory.hpp"
+#include "judge/summed_pairs.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -19,9 +19,9 @@ TEST_CASE("pairs that a stale list has lost are found, by their earlier distance
         const std::vector<Vec3> listed = trajectory.frames[0].positions;
         JudgedFrame& frame = trajectory.frames[1];
         const double range = fluid.potential.cutoff().radius;
-        const NearPairs now(frame.positions, fluid.edges, range);
+        const SummedPairs now(frame.positions, fluid.edges, range);
         Index missing = 0;
-        for (const NearPairs::Pair& pair : now.pairs()) {
+        for (const SummedPairs::Pair& pair : now.pairs()) {
             const Vec3 apart = listed[pair.i] - listed[pair.j];
             const Vec3 images = (apart.array() / fluid.edges.array()).round();
             if ((apart - images.cwiseProduct(fluid.edges)).norm() > range + 0.05) {
@@ -40,7 +40,7 @@ TEST_CASE("pairs that a stale list has lost are found, by their earlier distance
     // A pair that any list would have had.
     JudgedTrajectory trajectory = right_trajectory(fluid, {0, 10});
     JudgedFrame& frame = trajectory.frames[1];
-    const NearPairs::Pair pair = NearPairs(frame.positions, fluid.edges, 1.2).pairs().front();
+    const SummedPairs::Pair pair = SummedPairs(frame.positions, fluid.edges, 1.2).pairs().front();
     const Vec3 force = fluid.potential(pair.distance).w * pair.separation;
     frame.forces[pair.i] -= force;
     frame.forces[pair.j] += force;

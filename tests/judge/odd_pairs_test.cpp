@@ -1,8 +1,8 @@
 #include <cmath>
 #include "catch.hpp"
 
-#include "judge/near_pairs.hpp"
 #include "judge/shaken_liquid.hpp"
+#include "judge/summed_pairs.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -16,8 +16,8 @@ template <class Factor>
 PairSums sums_with(const Fluid& fluid, const Factor& factor) {
     PairSums sums;
     sums.forces.assign(fluid.positions.size(), Vec3::Zero());
-    const NearPairs near(fluid.positions, fluid.edges, fluid.potential.cutoff().radius);
-    for (const NearPairs::Pair& pair : near.pairs()) {
+    const SummedPairs near(fluid.positions, fluid.edges, fluid.potential.cutoff().radius);
+    for (const SummedPairs::Pair& pair : near.pairs()) {
         const PairTerm<double> term = fluid.potential(pair.distance);
         const double c = factor(pair);
         sums.potential_energy += c * term.u;
@@ -32,9 +32,9 @@ PairSums sums_with(const Fluid& fluid, const Factor& factor) {
 
 TEST_CASE("a pair that is left out is named by its ids") {
     const Fluid fluid = shaken_liquid();
-    const auto pair = NearPairs(fluid.positions, fluid.edges, 1.5).pairs().at(7);
+    const auto pair = SummedPairs(fluid.positions, fluid.edges, 1.5).pairs().at(7);
     const PairSums sums =
-        sums_with(fluid, [&](const NearPairs::Pair& p) { return p.i == pair.i && p.j == pair.j ? 0.0 : 1.0; });
+        sums_with(fluid, [&](const SummedPairs::Pair& p) { return p.i == pair.i && p.j == pair.j ? 0.0 : 1.0; });
     CHECK_THAT(first_diagnosis(fluid, point_with(expected_point_of(fluid), sums)),
                StartsWith("missing pair: 1 pair within the cutoff is left out, of the ids " +
                           std::to_string(pair.i + 1) + " and " + std::to_string(pair.j + 1)));
@@ -43,7 +43,7 @@ TEST_CASE("a pair that is left out is named by its ids") {
 TEST_CASE("an odd atom is named by its id") {
     const Fluid fluid = shaken_liquid();
     const auto with_atom = [&](double c) {
-        return sums_with(fluid, [=](const NearPairs::Pair& p) { return p.i == 40 || p.j == 40 ? c : 1.0; });
+        return sums_with(fluid, [=](const SummedPairs::Pair& p) { return p.i == 40 || p.j == 40 ? c : 1.0; });
     };
     const ExpectedPoint expected = expected_point_of(fluid);
     CHECK_THAT(first_diagnosis(fluid, point_with(expected, with_atom(1.25))),
@@ -64,7 +64,7 @@ TEST_CASE("digits that the start or the box has lost are named") {
     }
     const auto answer_of = [&](const Fluid& other) {
         return point_with(
-            expected, NearPairs(other.positions, other.edges, fluid.potential.cutoff().radius).sums(fluid.potential));
+            expected, SummedPairs(other.positions, other.edges, fluid.potential.cutoff().radius).sums(fluid.potential));
     };
     CHECK_THAT(first_diagnosis(fluid, answer_of(coarse)),
                StartsWith("digits of the start: ") && Contains("positions with 5 decimals"));

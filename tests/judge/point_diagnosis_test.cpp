@@ -1,9 +1,9 @@
 #include <cmath>
 #include "catch.hpp"
 
-#include "judge/near_pairs.hpp"
 #include "judge/point_judgement.hpp"
 #include "judge/shaken_liquid.hpp"
+#include "judge/summed_pairs.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -29,7 +29,7 @@ TEST_CASE("mistakes of one number are named") {
     const double u = expected.potential_energy();
     const double w = expected.sums.virial;
     const double n = 108.0;
-    const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+    const SummedPairs pairs(fluid.positions, fluid.edges, 2.2);
     const double shift = static_cast<double>(pairs.pairs().size()) * fluid.potential.untruncated(2.2).u;
     const auto energy = [&](double value) {
         PointAnswer answer = right_point(expected);
@@ -136,7 +136,7 @@ TEST_CASE("a potential that should be shifted and is not is named") {
     const Fluid fluid = shaken_liquid("shifted", false);
     const ExpectedPoint expected = expected_point_of(fluid);
     PointAnswer answer = right_point(expected);
-    const NearPairs pairs(fluid.positions, fluid.edges, 2.2);
+    const SummedPairs pairs(fluid.positions, fluid.edges, 2.2);
     answer.potential_energy =
         *answer.potential_energy + static_cast<double>(pairs.pairs().size()) * fluid.potential.untruncated(2.2).u;
     CHECK_THAT(first_diagnosis(fluid, answer), StartsWith("shifted energy: the potential is not shifted"));

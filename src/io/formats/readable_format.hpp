@@ -13,7 +13,7 @@
 namespace ljmd {
 
 /// What a reader is told that is not in the file.
-struct ReadingOptions {
+struct ReaderOptions {
     std::optional<SubstanceUnits> units;  ///< of the substance, for files in SI units
     std::string group{};                  ///< particle group of an H5MD file; empty: the only one
     std::string xyz_comment{};            ///< keys missing from the comment lines of an extended XYZ file
@@ -28,14 +28,14 @@ struct ReadableFormat {
     std::function<bool(const std::filesystem::path& path, TextFile& file)> recognises;
 
     /// The frames of a file; empty: the format holds one configuration.
-    std::function<std::unique_ptr<TrajectoryReader>(const std::filesystem::path& path, const ReadingOptions& options)>
+    std::function<std::unique_ptr<TrajectoryReader>(const std::filesystem::path& path, const ReaderOptions& options)>
         trajectory = {};
 
     /// The configuration of a file, of a trajectory the one that a run starts from. @throws DataError
-    std::function<Configuration(const std::filesystem::path& path, const ReadingOptions& options)> configuration;
+    std::function<Configuration(const std::filesystem::path& path, const ReaderOptions& options)> configuration;
 
-    bool takes_comment = false;  ///< ReadingOptions::xyz_comment
-    bool has_groups = false;     ///< of particles, see ReadingOptions::group
+    bool takes_comment = false;  ///< ReaderOptions::xyz_comment
+    bool has_groups = false;     ///< of particles, see ReaderOptions::group
 };
 
 /// Every format, sorted by the names of their files.

@@ -8,11 +8,11 @@ ReadableFormat h5md_file() {
     return {.name = "an H5MD file",
             .recognises = [](const auto& path, TextFile&) { return is_hdf5(path); },
             .trajectory =
-                [](const auto& path, const ReadingOptions& options) {
+                [](const auto& path, const ReaderOptions& options) {
                     return std::make_unique<H5mdReader>(path, options.units, options.group);
                 },
             .configuration =
-                [](const auto& path, const ReadingOptions& options) {
+                [](const auto& path, const ReaderOptions& options) {
                     H5mdReader reader(path, options.units, options.group);
                     return last_frame(reader, path);
                 },

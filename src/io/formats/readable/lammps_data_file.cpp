@@ -45,7 +45,7 @@ ReadableFormat lammps_data_file() {
     return {.name = "a LAMMPS data file",
             .recognises = [](const auto&, TextFile& file) { return is_data(file); },
             .configuration =
-                [](const auto& path, const ReadingOptions&) {
+                [](const auto& path, const ReaderOptions&) {
                     TextFile file(path);
                     return read_lammps_data(file);
                 }};

@@ -9,9 +9,9 @@ ReadableFormat lammps_dump_file() {
         .name = "a LAMMPS dump",
         .recognises = [](const auto&, TextFile& file) { return file.next_line() && file.line().starts_with("ITEM:"); },
         .trajectory = [](const auto& path,
-                         const ReadingOptions&) { return std::make_unique<LammpsDumpTrajectory>(path); },
+                         const ReaderOptions&) { return std::make_unique<LammpsDumpTrajectory>(path); },
         .configuration =
-            [](const auto& path, const ReadingOptions&) {
+            [](const auto& path, const ReaderOptions&) {
                 LammpsDumpTrajectory reader(path);
                 return last_frame(reader, path);
             }};

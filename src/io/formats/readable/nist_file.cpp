@@ -19,7 +19,7 @@ ReadableFormat nist_file() {
                     return fields.size() == 3 && std::ranges::all_of(fields, is_number);
                 },
             .configuration =
-                [](const auto& path, const ReadingOptions&) {
+                [](const auto& path, const ReaderOptions&) {
                     TextFile file(path);
                     return read_nist(file);
                 }};

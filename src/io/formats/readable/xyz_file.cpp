@@ -17,11 +17,11 @@ ReadableFormat xyz_file() {
                     return fields.size() == 1 && is_number(fields[0]);
                 },
             .trajectory =
-                [](const auto& path, const ReadingOptions& options) {
+                [](const auto& path, const ReaderOptions& options) {
                     return std::make_unique<ExtendedXyzTrajectory>(path, options.units, options.xyz_comment);
                 },
             .configuration =
-                [](const auto& path, const ReadingOptions& options) {
+                [](const auto& path, const ReaderOptions& options) {
                     TextFile file(path);
                     return read_extended_xyz(file, options.units, options.xyz_comment);
                 },

@@ -18,7 +18,7 @@ struct PairSums {
 
 /// The pairs of a configuration up to some distance, to be summed again and again under other assumptions: this is how
 /// ljmd finds out by which mistake the numbers of another engine come about.
-class NearPairs {
+class SummedPairs {
   public:
     struct Pair {
         std::size_t i;
@@ -35,7 +35,7 @@ class NearPairs {
     /// All pairs closer than `range`, by their nearest images; O(N^2).
     /// @param positions  anywhere
     /// Beyond half the shortest edge other images are missing, as with programs that know the nearest one alone.
-    NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range);
+    SummedPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range);
 
     /// Assumptions of a sum.
     struct Assumed {
@@ -53,7 +53,7 @@ class NearPairs {
     [[nodiscard]] PairSums sums_of(const std::function<PairTerm<double>(const Pair&)>& term) const;
 
     /// The pairs as they are in a box whose edges are longer by this, with the atoms where they are.
-    [[nodiscard]] NearPairs with_longer_edges(const Vec3& by) const;
+    [[nodiscard]] SummedPairs with_longer_edges(const Vec3& by) const;
 
     [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
     [[nodiscard]] std::size_t atoms() const { return atoms_; }

@@ -1,4 +1,4 @@
-#include "judge/near_pairs.hpp"
+#include "judge/summed_pairs.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@ namespace ljmd {
 namespace {
 
 /// Whether a sum sees a pair, from its atom i (side 1) or from its atom j (side -1).
-bool sees(const NearPairs::MissedImages& missed, const Vec3& images, double side) {
+bool sees(const SummedPairs::MissedImages& missed, const Vec3& images, double side) {
     for (std::size_t k = 0; k < missed.size(); ++k) {
         const double image = side * images[static_cast<Index>(k)];
         if ((image < 0.0 && missed[k][0]) || (image > 0.0 && missed[k][1])) {
@@ -19,7 +19,8 @@ bool sees(const NearPairs::MissedImages& missed, const Vec3& images, double side
 
 }  // namespace
 
-NearPairs::NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range) : atoms_(positions.size()) {
+SummedPairs::SummedPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range)
+    : atoms_(positions.size()) {
     std::vector<Vec3> wrapped;
     wrapped.reserve(atoms_);
     for (const Vec3& r : positions) {
@@ -38,7 +39,7 @@ NearPairs::NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, doub
     }
 }
 
-PairSums NearPairs::sums(const PairPotential& potential, const Assumed& assumed) const {
+PairSums SummedPairs::sums(const PairPotential& potential, const Assumed& assumed) const {
     PairSums result;
     result.forces.assign(atoms_, Vec3::Zero());
     for (const Pair& pair : pairs_) {
@@ -59,7 +60,7 @@ PairSums NearPairs::sums(const PairPotential& potential, const Assumed& assumed)
     return result;
 }
 
-PairSums NearPairs::sums_of(const std::function<PairTerm<double>(const Pair&)>& term) const {
+PairSums SummedPairs::sums_of(const std::function<PairTerm<double>(const Pair&)>& term) const {
     PairSums result;
     result.forces.assign(atoms_, Vec3::Zero());
     for (const Pair& pair : pairs_) {
@@ -72,8 +73,8 @@ PairSums NearPairs::sums_of(const std::function<PairTerm<double>(const Pair&)>& 
     return result;
 }
 
-NearPairs NearPairs::with_longer_edges(const Vec3& by) const {
-    NearPairs changed = *this;
+SummedPairs SummedPairs::with_longer_edges(const Vec3& by) const {
+    SummedPairs changed = *this;
     for (Pair& pair : changed.pairs_) {
         pair.separation -= pair.images.cwiseProduct(by);
         pair.distance = pair.separation.norm();
