@@ -48,7 +48,7 @@ class Comparer : private StepObserver {
           every_(std::max<Index>(1, (total_steps(deck.stages()) + max_rows - 1) / max_rows)) {}
 
     GslComparison run() {
-        run_stages(deck_.stages(), system_.state, *system_.force_field, *this);
+        run_stages(deck_.stages(), system_.state, *system_.force_field, {*this});
         return comparison_;
     }
 
@@ -59,8 +59,6 @@ class Comparer : private StepObserver {
         note(evaluation);
     }
     void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
-    void stage_ends(const Stage&) override {}
-    void moved(Index) override {}
 
     /// Rows are recorded at up to a thousand steps; energy and angular momentum are checked at every step.
     [[nodiscard]] bool wants_energy(Index) const override { return true; }

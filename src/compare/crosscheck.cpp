@@ -40,13 +40,10 @@ constexpr Index steps_to_calibrate = 20;
 class Quiet : public StepObserver {
   public:
     Quiet(State& state, RunListener& listener) : state_(state), listener_(listener) {}
-    void started(const Evaluation&) override {}
     void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
     [[nodiscard]] bool wants_energy(Index) const override { return false; }
     [[nodiscard]] bool reads_velocities(Index) const override { return false; }
-    void moved(Index) override {}
     void step_done(const Stage&, const Evaluation&) override { listener_.step_done(state_.step); }
-    void stage_ends(const Stage&) override {}
 
   private:
     State& state_;
@@ -187,7 +184,7 @@ Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListen
     const std::vector<Stage> before(deck.stages().begin(),
                                     deck.stages().begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
-    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
+    run_stages(before, simulation.state, simulation.force_field, {quiet}, std::nullopt, spec.interaction());
     return fluid_of(simulation.state, simulation.force_field.potential(), spec.has_tail());
 }
 

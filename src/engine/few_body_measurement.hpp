@@ -18,7 +18,7 @@ namespace ljmd {
 
 /// Measures a few-body system while the time loop runs: totals, analyses, stability, and the results of the stages.
 /// Neither decks nor files are known here, see RunOutputs.
-class FewBodyMeasurement : public RunMeasurement {
+class FewBodyMeasurement : public RunMeasurement, public MomentObserver {
   public:
     /// All must live as long as this. @param sample_every  steps between samples of the totals
     FewBodyMeasurement(const std::vector<Stage>& stages, Index sample_every, FewBodySystem& system,
@@ -36,12 +36,13 @@ class FewBodyMeasurement : public RunMeasurement {
     /// @param loop  wall time of the finished time loop
     [[nodiscard]] FewBodyResult result(const LoopSeconds& loop) const;
 
+    [[nodiscard]] LoopParty party() { return {*this, this, this}; }
+
     void started(const Evaluation& evaluation) override;
     void stage_begins(const Stage& stage) override;
     [[nodiscard]] bool wants_energy(Index step) const override { return sample_every_.due(step); }
     [[nodiscard]] bool looks_within_steps(const Stage& stage) const override;
     void within_step(const Stage& stage, const State& moment) override;
-    void moved(Index /*step_of_stage*/) override {}
     void step_done(const Stage& stage, const Evaluation& evaluation) override;
     [[nodiscard]] bool wants_checkpoint(bool last_of_stage) override;
     void checkpoint(const LoopPosition& position) override;

@@ -14,12 +14,31 @@ namespace ljmd {
 
 namespace {
 
+/// Keeps rows, and passes rows and frames on to who wants them.
 class Rows : public RunOutputs {
   public:
+    explicit Rows(RunOutputs* also) : also_(also) {}
+
     using RunOutputs::row;
-    void row(const FewBodyRow& row) override { all.push_back(row); }
+    void row(const FewBodyRow& row) override {
+        all.push_back(row);
+        if (also_ != nullptr) {
+            also_->row(row);
+        }
+    }
+    [[nodiscard]] bool frame_is_due(const State& state) const override {
+        return also_ != nullptr && also_->frame_is_due(state);
+    }
+    void frame(const State& state, const std::optional<double>& angle) override {
+        if (also_ != nullptr) {
+            also_->frame(state, angle);
+        }
+    }
 
     std::vector<FewBodyRow> all;
+
+  private:
+    RunOutputs* also_;
 };
 
 FewBodySpec checked(FewBodySpec spec) {
@@ -33,8 +52,9 @@ FewBodySpec checked(FewBodySpec spec) {
 
 /// Parts point to each other, so they stay where they are.
 struct FewBodySimulation::Parts {
-    Parts(FewBodySpec wanted, const Execution& execution)
+    Parts(FewBodySpec wanted, const Execution& execution, RunOutputs* outputs)
         : spec(checked(std::move(wanted))),
+          rows(outputs),
           system(make_few_body_system(spec, execution)),
           measurement(spec.stages, spec.sample_every, system, rows) {}
 
@@ -48,8 +68,8 @@ struct FewBodySimulation::Parts {
     bool failed = false;
 };
 
-FewBodySimulation::FewBodySimulation(FewBodySpec spec, const Execution& execution)
-    : parts_(std::make_unique<Parts>(std::move(spec), execution)) {}
+FewBodySimulation::FewBodySimulation(FewBodySpec spec, const Execution& execution, RunOutputs* outputs)
+    : parts_(std::make_unique<Parts>(std::move(spec), execution, outputs)) {}
 FewBodySimulation::~FewBodySimulation() = default;
 FewBodySimulation::FewBodySimulation(FewBodySimulation&&) noexcept = default;
 FewBodySimulation& FewBodySimulation::operator=(FewBodySimulation&&) noexcept = default;
@@ -80,10 +100,15 @@ void FewBodySimulation::advance(Index steps) {
     p.failed = true;  // unless all goes well
     const Index done = p.system.state.step;
     const Index until = done + std::min(steps, total_steps(p.spec.stages) - done);
-    p.position = run_stages(p.spec.stages, p.system.state, *p.system.force_field, p.measurement, p.position,
-                            std::nullopt, until);
-    if (p.finished()) {
-        p.measurement.record_end();
+    try {
+        p.position = run_stages(p.spec.stages, p.system.state, *p.system.force_field, p.measurement.party(), p.position,
+                                std::nullopt, until);
+        if (p.finished()) {
+            p.measurement.record_end();
+        }
+    } catch (...) {
+        p.system.state.finish_kick();  // so that the state can be looked at
+        throw;
     }
     p.failed = false;
 }

@@ -39,6 +39,8 @@ class FluidMeasurement : public RunMeasurement {
     /// The results so far. @param loop  wall time of the time loop
     [[nodiscard]] RunResult result(const LoopSeconds& loop) const;
 
+    [[nodiscard]] LoopParty party() { return {*this, this}; }
+
     void started(const Evaluation& evaluation) override;
     void stage_begins(const Stage& stage) override;
     void energy_set(const EnergyStart& start) override { stages_.back().energy_start = start; }

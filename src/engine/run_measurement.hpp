@@ -6,7 +6,7 @@
 namespace ljmd {
 
 /// Measures a run during the time loop, and can be resumed with it.
-class RunMeasurement : public StepObserver {
+class RunMeasurement : public StepObserver, public LoopControl {
   public:
     /// The run is resumed there; archive() is to read next.
     virtual void resume_at(const LoopPosition& position) = 0;

@@ -87,8 +87,8 @@ struct Simulation::Parts {
         require_sound();
         failed = true;  // unless this comes to its end
         try {
-            position =
-                run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, interaction, until);
+            position = run_stages(spec.stages, fluid.state, fluid.force_field, measurement->party(), position,
+                                  interaction, until);
         } catch (...) {
             fluid.state.finish_kick();  // so that the state can be looked at
             throw;

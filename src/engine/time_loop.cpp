@@ -79,12 +79,14 @@ class CentreAtRest {
 
 class TimeLoop {
   public:
-    TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+    TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, const LoopParty& party,
              const LoopPosition& from, const std::optional<Interaction>& interaction, std::optional<Index> until)
         : stages_(stages),
           state_(state),
           force_field_(force_field),
-          observer_(observer),
+          observer_(party.observer),
+          control_(party.control),
+          moments_(party.moments),
           interaction_(interaction),
           until_(until),
           position_(from),
@@ -102,12 +104,12 @@ class TimeLoop {
         return position_;
     }
 
-    /// Call the observer's checkpoint() if it asks for it.
+    /// Have the run saved where that is due.
     void offer_checkpoint(bool last_of_stage) {
-        if (observer_.wants_checkpoint(last_of_stage)) {
+        if (control_ != nullptr && control_->wants_checkpoint(last_of_stage)) {
             note_seconds();
             state_.finish_kick();
-            observer_.checkpoint(position_);
+            control_->checkpoint(position_);
         }
     }
 
@@ -142,7 +144,7 @@ class TimeLoop {
                 return;
             }
             take_step(stage, parts);
-            position_.enough = observer_.has_enough(stage);
+            position_.enough = control_ != nullptr && control_->has_enough(stage);
             offer_checkpoint(position_.steps == stage.steps || position_.enough);
         }
         observer_.stage_ends(stage);
@@ -226,15 +228,15 @@ class TimeLoop {
         act();
     }
 
-    /// Pass on to the observer the states strictly between now and the end of the step; their times are rounded, too.
+    /// Pass on the states strictly between now and the end of the step; their times are rounded, too.
     [[nodiscard]] StateWatch watch_within(const Stage& stage, double end) {
-        if (!observer_.looks_within_steps(stage)) {
+        if (moments_ == nullptr || !moments_->looks_within_steps(stage)) {
             return {};
         }
         return [this, &stage, end, last = state_.time](const State& moment) mutable {
             if (moment.time > last && moment.time < end) {
                 last = moment.time;
-                observer_.within_step(stage, moment);
+                moments_->within_step(stage, moment);
             }
         };
     }
@@ -245,6 +247,8 @@ class TimeLoop {
     State& state_;
     ForceField& force_field_;
     StepObserver& observer_;
+    LoopControl* control_;
+    MomentObserver* moments_;
     const std::optional<Interaction>& interaction_;
     std::optional<Index> until_;
     LoopPosition position_;
@@ -254,16 +258,16 @@ class TimeLoop {
 
 }  // namespace
 
-LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, const LoopParty& party,
                         const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction,
                         std::optional<Index> until) {
     const FirstTouch first_touch(touched_by_threads(state.execution()));
     std::optional<TimeLoop> loop;
     try {
         if (!from) {
-            observer.started(force_field.evaluate(state, Request::forces_and_energy));
+            party.observer.started(force_field.evaluate(state, Request::forces_and_energy));
         }
-        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), interaction, until);
+        loop.emplace(stages, state, force_field, party, from.value_or(LoopPosition{}), interaction, until);
         if (!from) {
             loop->offer_checkpoint(true);
         }

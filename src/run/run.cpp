@@ -47,7 +47,7 @@ RunResult run_plan(const RunPlan& plan, FluidSystem& fluid, RunListener& listene
     const auto from = restored(plan, control.continuation, measurement, fluid.state);
     look_by_id(fluid.state, [&] { directory->begin(fluid, from); });
     const LoopPosition end = saving_failure(plan, fluid.state, [&] {
-        return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());
+        return run_stages(spec.stages, fluid.state, fluid.force_field, measurement.party(), from, spec.interaction());
     });
     RunResult result = measurement.result(end.seconds);
     for (const std::string& warning : result.warnings) {
@@ -69,7 +69,8 @@ FewBodyResult run_plan(const RunPlan& plan, FewBodySystem& system, RunListener& 
     const auto from = restored(plan, control.continuation, measurement, system.state);
     outputs.begin(system, from);
     const LoopPosition end = saving_failure(plan, system.state, [&] {
-        const LoopPosition last = run_stages(plan.stages(), system.state, *system.force_field, measurement, from);
+        const LoopPosition last =
+            run_stages(plan.stages(), system.state, *system.force_field, measurement.party(), from);
         measurement.record_end();
         return last;
     });

@@ -1,7 +1,9 @@
 #include "ljmd/engine/few_body_simulation.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
@@ -77,6 +79,24 @@ TEST_CASE("a program runs few bodies without a deck: a planet on a circle comes 
     CHECK(result.dimensions == 2);
 }
 
+TEST_CASE("who asks for frames of few bodies gets those that are due, and every row") {
+    struct Frames : ljmd::RunOutputs {
+        using RunOutputs::row;
+        void row(const FewBodyRow& row) override { rows.push_back(row.step); }
+        [[nodiscard]] bool frame_is_due(const State& state) const override { return state.step % 4 == 0; }
+        void frame(const State& state, const std::optional<double>& /*angle*/) override { steps.push_back(state.step); }
+        std::vector<Index> rows;
+        std::vector<Index> steps;
+    };
+    FewBodySpec spec = two_bodies();
+    Frames frames;
+    FewBodySimulation simulation(spec, {}, &frames);
+    simulation.advance(25);
+    CHECK(frames.steps == std::vector<Index>{0, 4, 8, 12, 16, 20, 24});
+    CHECK(frames.rows == std::vector<Index>{0, 10, 20});
+    CHECK(simulation.samples().size() == 3);
+}
+
 TEST_CASE("few bodies that were moved or have failed say so") {
     FewBodySimulation first(two_bodies());
     FewBodySimulation second = std::move(first);
@@ -93,5 +113,6 @@ TEST_CASE("few bodies that were moved or have failed say so") {
     FewBodySimulation failing(unstable);
     REQUIRE_THROWS_AS(failing.run(), PhysicsError);
     CHECK(failing.state().count() == 1);
+    CHECK_NOTHROW(failing.state().velocities());  // no kick is pending
     CHECK_THROWS_AS(failing.advance(1), InputError);
 }

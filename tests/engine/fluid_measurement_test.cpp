@@ -44,7 +44,7 @@ TEST_CASE("outputs get every row, frame and checkpoint of a run that is due") {
     FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     Noted outputs;
     FluidMeasurement measurement(spec, fluid, outputs);
-    const LoopPosition end = run_stages(spec.stages, fluid.state, fluid.force_field, measurement);
+    const LoopPosition end = run_stages(spec.stages, fluid.state, fluid.force_field, measurement.party());
     CHECK(outputs.stages == std::vector<std::string>{"equilibrate", "production"});
     CHECK(outputs.frames == std::vector<Index>{0, 25, 50});
     CHECK(outputs.checkpoints == std::vector<Index>{0, 20, 33, 60});
@@ -78,6 +78,6 @@ TEST_CASE("analyses that do not fit into the box that a barostat has made end th
     Noted outputs;
     FluidMeasurement measurement(spec, fluid, outputs);
     CHECK_THROWS_WITH(
-        run_stages(spec.stages, fluid.state, fluid.force_field, measurement, std::nullopt, spec.interaction()),
+        run_stages(spec.stages, fluid.state, fluid.force_field, measurement.party(), std::nullopt, spec.interaction()),
         Catch::Contains("in the box that the barostat has made: analysis rdf"));
 }

@@ -17,7 +17,7 @@ using namespace ljmd::test;
 namespace {
 
 /// Writes down, in one line each, what the time loop tells it of.
-struct Log : StepObserver {
+struct Log : StepObserver, MomentObserver {
     explicit Log(const State& watched, Index every = 1) : state(watched), energy_every(every) {}
 
     void started(const Evaluation& evaluation) override {
@@ -44,6 +44,8 @@ struct Log : StepObserver {
         last_within = moment.time;
         within.insert(stage.name);
     }
+
+    LoopParty party() { return {*this, nullptr, this}; }
 
     const State& state;
     Index energy_every;
@@ -75,7 +77,7 @@ velocity = [0.5, -1.0]
 struct Swing {
     explicit Swing(const std::string& stages, Index energy_every = 1)
         : deck(DeckFolder(springs_deck + stages).load()), state(swinging(springs)), log(state, energy_every) {
-        run_stages(deck.stages(), state, springs, log);
+        run_stages(deck.stages(), state, springs, log.party());
     }
 
     Deck deck;
@@ -107,7 +109,7 @@ std::string failure_after(int evaluations) {
     Breaking springs(evaluations);
     Log log(state);
     try {
-        run_stages(deck.stages(), state, springs, log);
+        run_stages(deck.stages(), state, springs, log.party());
     } catch (const PhysicsError& error) {
         return error.what();
     }
@@ -146,7 +148,7 @@ TEST_CASE(
         State state = swinging(springs);
         Log log(state);
         log.looks_within = wanted;
-        run_stages(deck.stages(), state, springs, log);
+        run_stages(deck.stages(), state, springs, log.party());
         CHECK(log.within == (wanted ? std::set<std::string>{"one", "three"} : std::set<std::string>{}));
         CHECK((!wanted || log.last_within < log.times.back()));
         CHECK(log.times.size() == 14);
@@ -180,7 +182,7 @@ TEST_CASE("a stage cut in two is the same motion, to the last bit, for few bodie
         const Deck deck = DeckFolder(text).load();
         runs.push_back(simulation_of(deck));
         Log log(runs.back().state);
-        run_stages(deck.stages(), runs.back().state, runs.back().force_field, log);
+        run_stages(deck.stages(), runs.back().state, runs.back().force_field, log.party());
     }
     CHECK(positions(runs[0].state) == positions(runs[1].state));
     CHECK(velocities(runs[0].state) == velocities(runs[1].state));
@@ -221,7 +223,7 @@ TEST_CASE("a thermostat acts after the particles have moved, and only in its sta
                           .load({"stage.equilibrate.temperature=1.3", "stage.production.steps=41"});
     FluidSystem simulation = simulation_of(deck);
     Log log(simulation.state);
-    run_stages(deck.stages(), simulation.state, simulation.force_field, log);
+    run_stages(deck.stages(), simulation.state, simulation.force_field, log.party());
     const double wanted = 1.3 * 1.5 * (108.0 - 1.0);  // 3 (N - 1) degrees of freedom
     REQUIRE(log.kinetic_when_done.size() == 71);
     for (const auto& [step, kinetic] : log.kinetic_when_done) {
@@ -247,11 +249,11 @@ TEST_CASE("after a thermostat that moves the centre of mass, it is brought to re
         FluidSystem simulation = simulation_of(deck);
         Log log(simulation.state);
         std::vector<double> found;
-        run_stages({deck.stages()[0]}, simulation.state, simulation.force_field, log);
+        run_stages({deck.stages()[0]}, simulation.state, simulation.force_field, log.party());
         found.push_back(total_momentum(simulation.state).norm());
         FluidSystem again = simulation_of(deck);
         Log other(again.state);
-        run_stages(deck.stages(), again.state, again.force_field, other);
+        run_stages(deck.stages(), again.state, again.force_field, other.party());
         found.push_back(total_momentum(again.state).norm());
         return found;
     };
@@ -284,7 +286,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
         std::vector<double> edges;
     };
     Edges log(simulation.state, 1000);
-    run_stages(deck.stages(), simulation.state, simulation.force_field, log, std::nullopt,
+    run_stages(deck.stages(), simulation.state, simulation.force_field, log.party(), std::nullopt,
                fluid_spec(deck).interaction());
     REQUIRE(log.edges.size() == 60);
     for (std::size_t step = 2; step <= 60; ++step) {
@@ -304,6 +306,6 @@ TEST_CASE("a run is not resumed when the state lacks the variables of the thermo
     simulation.state.bath = {0.0, 1.0};
     LoopPosition position;
     position.begun = true;
-    CHECK_THROWS_AS(run_stages(deck.stages(), simulation.state, simulation.force_field, log, position),
+    CHECK_THROWS_AS(run_stages(deck.stages(), simulation.state, simulation.force_field, log.party(), position),
                     CheckpointError);
 }

@@ -50,7 +50,7 @@ class Sampled : private StepObserver {
         FluidSystem simulation = simulation_of(deck);
         state_ = &simulation.state;
         tail_ = simulation.tail;
-        run_stages(deck.stages(), simulation.state, simulation.force_field, *this, std::nullopt,
+        run_stages(deck.stages(), simulation.state, simulation.force_field, {*this}, std::nullopt,
                    fluid_spec(deck).interaction());
     }
 
@@ -65,11 +65,7 @@ class Sampled : private StepObserver {
     }
 
   private:
-    void started(const Evaluation& /*evaluation*/) override {}
-    void stage_begins(const Stage& /*stage*/) override {}
     [[nodiscard]] bool wants_energy(Index step) const override { return step % every_ == 0; }
-    void moved(Index /*step_of_stage*/) override {}
-    void stage_ends(const Stage& /*stage*/) override {}
     void step_done(const Stage& stage, const Evaluation& evaluation) override {
         if (stage.sample && state_->step % every_ == 0) {
             const Thermodynamics now = thermodynamics(*state_, evaluation, tail_);

@@ -24,8 +24,9 @@ namespace ljmd {
 /// The same specification gives the same trajectory, to the last bit, as a deck that says the same.
 class FewBodySimulation {
   public:
+    /// @param outputs  receives rows and frames, and must live as long as this; null: nobody
     /// @throws InputError with all mistakes of the specification
-    explicit FewBodySimulation(FewBodySpec spec, const Execution& execution = {});
+    explicit FewBodySimulation(FewBodySpec spec, const Execution& execution = {}, RunOutputs* outputs = nullptr);
     ~FewBodySimulation();
     FewBodySimulation(FewBodySimulation&&) noexcept;
     FewBodySimulation& operator=(FewBodySimulation&&) noexcept;

@@ -50,7 +50,7 @@ class RunOutputs {
 
     virtual void step_done(Index /*step*/) {}
 
-    /// See StepObserver::wants_checkpoint.
+    /// See LoopControl::wants_checkpoint.
     [[nodiscard]] virtual bool checkpoint_is_due(Index /*step*/, bool /*last_of_stage*/) { return false; }
 
     /// The run can be resumed from here. @param archive  writes everything that the rest of the run depends on
