@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "engine/few_body_measurement.hpp"
@@ -99,7 +99,8 @@ void FewBodySimulation::advance(Index steps) {
     }
     p.failed = true;  // unless all goes well
     const Index done = p.system.state.step;
-    const Index until = done + std::min(steps, total_steps(p.spec.stages) - done);
+    const bool to_the_end = steps >= total_steps(p.spec.stages) - done;  // also through stages without steps
+    const std::optional<Index> until = to_the_end ? std::nullopt : std::optional(done + steps);
     try {
         p.position = run_stages(p.spec.stages, p.system.state, *p.system.force_field, p.measurement.party(), p.position,
                                 std::nullopt, until);

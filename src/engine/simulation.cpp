@@ -167,7 +167,8 @@ void Simulation::advance(Index steps) {
         throw InputError(fmt::format("{} steps: allowed are 0 and more", steps));
     }
     const Index done = state().step;
-    parts().advance(done + std::min(steps, total_steps(spec().stages) - done));
+    const bool to_the_end = steps >= total_steps(spec().stages) - done;  // also through stages without steps
+    parts().advance(to_the_end ? std::nullopt : std::optional(done + steps));
 }
 
 bool Simulation::finished() const {

@@ -18,13 +18,7 @@ class FluidRun : public MemoryRun {
 
     [[nodiscard]] const std::vector<std::string>& warnings() const { return simulation_.warnings(); }
 
-    void advance(Index steps) override {
-        if (steps < steps_left()) {
-            simulation_.advance(steps);
-        } else if (!finished()) {
-            simulation_.run();  // also through stages without steps
-        }
-    }
+    void advance(Index steps) override { simulation_.advance(steps); }
     [[nodiscard]] bool finished() const override { return simulation_.finished(); }
     [[nodiscard]] const State& state() const override { return simulation_.state(); }
     [[nodiscard]] const std::vector<Stage>& stages() const override { return simulation_.spec().stages; }

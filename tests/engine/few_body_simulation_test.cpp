@@ -97,6 +97,15 @@ TEST_CASE("who asks for frames of few bodies gets those that are due, and every 
     CHECK(simulation.samples().size() == 3);
 }
 
+TEST_CASE("few bodies come to the end, also where the last stages have no steps") {
+    FewBodySpec spec = two_bodies();
+    spec.stages.push_back({.name = "nothing", .time_step = 0.005, .steps = 0});
+    FewBodySimulation simulation(spec);
+    simulation.run();
+    CHECK(simulation.finished());
+    CHECK(simulation.result().stages.size() == 3);
+}
+
 TEST_CASE("few bodies that were moved or have failed say so") {
     FewBodySimulation first(two_bodies());
     FewBodySimulation second = std::move(first);

@@ -93,6 +93,18 @@ TEST_CASE("steps in pieces are the steps of one run") {
     CHECK_THROWS_AS(pieces.advance(-1), InputError);
 }
 
+TEST_CASE("who takes all steps comes to the end, also where the last stages have none") {
+    FluidSpec spec = with_analyses();
+    const Index steps = total_steps(spec.stages);
+    spec.stages.push_back({.name = "nothing", .steps = 0});
+    Simulation simulation(spec);
+    simulation.advance(steps - 1);
+    CHECK_FALSE(simulation.finished());
+    simulation.advance(1);
+    CHECK(simulation.finished());
+    CHECK(simulation.result().stages.size() == spec.stages.size());
+}
+
 TEST_CASE("a simulation that is continued from a checkpoint has the bits of one that was not interrupted") {
     Simulation whole(with_analyses());
     Watcher all(3, true);
