@@ -1,5 +1,6 @@
 #include "observables/dynamics/scattering.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
