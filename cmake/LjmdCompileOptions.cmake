@@ -15,6 +15,22 @@ target_compile_options(ljmd_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(ljmd_options INTERFACE -Wno-restrict -Wno-array-bounds)
 endif()
+# Before version 20 libc++ cannot read numbers by std::from_chars(): fast_float does.
+if(NOT EMSCRIPTEN)
+    include(CheckCXXSourceCompiles)
+    set(CMAKE_REQUIRED_FLAGS -std=c++20)
+    check_cxx_source_compiles("#include <charconv>
+        int main() { double x = 0.0; return static_cast<int>(std::from_chars(nullptr, nullptr, x).ec); }" LJMD_READS_NUMBERS)
+    unset(CMAKE_REQUIRED_FLAGS)
+    if(NOT LJMD_READS_NUMBERS)
+        find_path(LJMD_FAST_FLOAT fast_float/fast_float.h)
+        if(NOT LJMD_FAST_FLOAT)
+            message(FATAL_ERROR "fast_float was not found, which the standard library of this compiler (libc++ before version 20) "
+                                "needs to read numbers. -D LJMD_FAST_FLOAT=<folder> tells where its headers are.")
+        endif()
+        target_include_directories(ljmd_options SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/src/core/compat ${LJMD_FAST_FLOAT})
+    endif()
+endif()
 if(LJMD_WARNINGS_AS_ERRORS)
     target_compile_options(ljmd_options INTERFACE -Werror)
 endif()

@@ -6,8 +6,8 @@ add_library(Threads::Threads INTERFACE IMPORTED)
 # ljmd_page_headers(<target> <definition>...): a library of headers alone.
 function(ljmd_page_headers target)
     add_library(${target} INTERFACE IMPORTED)
-    target_include_directories(${target} SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/src/page/compat ${ljmd_page_root}/include
-                                                          ${ljmd_page_root}/eigen3)
+    target_include_directories(${target} SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/src/page/compat ${PROJECT_SOURCE_DIR}/src/core/compat
+                                                          ${ljmd_page_root}/include ${ljmd_page_root}/eigen3)
     target_compile_definitions(${target} INTERFACE ${ARGN})
 endfunction()
 # Indices are of 64 bits here, too.
