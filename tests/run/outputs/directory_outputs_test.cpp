@@ -13,12 +13,10 @@ struct Idle : RunMeasurement {
     void resume_at(const LoopPosition& /*position*/) override {}
     void archive(Archive& /*a*/) override {}
     void require_begun(const LoopPosition& /*position*/) const override {}
-    void started(const Evaluation& /*evaluation*/) override {}
-    void stage_begins(const Stage& /*stage*/) override {}
     [[nodiscard]] bool wants_energy(Index /*step*/) const override { return false; }
-    void moved(Index /*step_of_stage*/) override {}
     void step_done(const Stage& /*stage*/, const Evaluation& /*evaluation*/) override {}
-    void stage_ends(const Stage& /*stage*/) override {}
+    [[nodiscard]] bool wants_checkpoint(bool /*last_of_stage*/) override { return false; }
+    void checkpoint(const LoopPosition& /*position*/) override {}
 };
 
 }  // namespace
