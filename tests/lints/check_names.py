@@ -18,7 +18,7 @@ END = re.compile(r"^\}  // namespace.*$", re.M)
 NAMESPACE = re.compile(r"namespace ?([\w:]*) ?\{$")
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (?:\[\[\w+\]\] |alignas\([^)]*\) )?([\w:]+)(?: final)?(?: : .*)? ?\{")
 FUNCTION = re.compile(r"(?:template <.*> )?(?:\[\[nodiscard\]\] )?(?:inline|constexpr) [^=;{]*?\b(\w+)\(([^{;]*)\)[^{;()]*\{")
-# Names that are in one of two sources, of which a program has one.
+# A program is linked with one of two sources that define this name.
 ALTERNATIVES = {"ljmd::detail::FourierPlan": "src/page/fourier.cpp"}
 
 
